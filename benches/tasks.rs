@@ -1,7 +1,12 @@
 //! Tasks for timing and for counting instructions: prepared once, run repeatedly.
 
 use crate::{Subject, chain_urdf, double_wishbone, loaded, subjects};
-use percuss_dynamics::{Batch, BatchPositions, Conditions, Contact, EffectiveMass, Pose, RowResults, System};
+use percuss_dynamics::{
+    Batch, BatchPositions, Conditions, Contact, Direction, EffectiveMass, Frame, Pose, RowColumns,
+    RowResults, System,
+};
+use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
+use percuss_impact::{ImpactWorkspace, JointRates, RigidImpact, TimeConditions, impact_in_time};
 use percuss_mechanism::{
     Inertial, JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder,
 };
@@ -9,6 +14,7 @@ use percuss_oracle::linkage;
 use percuss_oracle::linkage::Linkage;
 use percuss_spatial::lanes::Instructions;
 use percuss_spatial::{Matrix3, Vector3};
+use percuss_study::{Model, ask};
 use std::hint::black_box;
 
 /// Benchmark task.
@@ -36,6 +42,13 @@ const CONFIGURATIONS: usize = 256;
 /// | `linkage` | m̄ of the double wishbone at a closed pose |
 /// | `step` | closing the loops of the double wishbone 1 mrad from the last pose |
 /// | `load` | reading a URDF of 1,000 links |
+/// | `moment`, `line` | as `scalar`, for a moment about an axis, and for the line to a point of the ground |
+/// | `gradient` | as `lanes`, with the gradient |
+/// | `response-arm` | complete response of a six-hinge arm at a pose |
+/// | `impact`, `impact-arm` | a single rigid impact of the double wishbone, of the arm, with all reactions |
+/// | `impact-pose`, `impact-pose-arm` | the same in a workspace at a new pose |
+/// | `impact-time`, `impact-time-arm` | an impact in time with all reactions of all samples |
+/// | `ask-KEY` | a question about the double wishbone of the suspension sheets: [`QUESTIONS`] |
 /// | `chain-N` | m̄ at the end of a chain of N hinges, one configuration |
 /// | `chain-lanes-N` | as `chain-N`, in lanes |
 /// | `separate-N` | m̄ at one of N independent four-bars |
@@ -52,6 +65,26 @@ pub fn task(name: &str) -> Option<Task> {
         "linkage" => closed(),
         "step" => step(),
         "load" => load(),
+        "moment" => {
+            let arm = arm();
+            let contact = arm.contact.normal(Direction::About(Vector3::new(0.3, -0.5, 0.8), Frame::Link));
+            scalar(Subject { contact, ..arm })
+        }
+        "line" => {
+            let arm = arm();
+            let root = arm.system.mechanism().root();
+            let contact = arm.contact.normal(Direction::TurningToward(root, Vector3::new(1.5, 0.3, 2.0)));
+            scalar(Subject { contact, ..arm })
+        }
+        "gradient" => gradient(arm()),
+        "response-arm" => respond_arm(),
+        "impact" => impacts(&wishbone_poses(), false),
+        "impact-arm" => impacts(&arm_poses(), false),
+        "impact-pose" => impacts(&wishbone_poses(), true),
+        "impact-pose-arm" => impacts(&arm_poses(), true),
+        "impact-time" => impact_over_time(&wishbone_poses()),
+        "impact-time-arm" => impact_over_time(&arm_poses()),
+        _ if name.starts_with("ask-") => question(name.strip_prefix("ask-")?)?,
         _ => {
             let (kind, size) = name.rsplit_once('-')?;
             let size = size.parse().ok().filter(|size| *size > 0)?;
@@ -224,4 +257,112 @@ fn loops(linkage: Linkage, contact_link: &str) -> Task {
         assert!(matches!(mass, EffectiveMass::Finite(m) if m > 0.0), "{mass:?}");
     };
     Task { run: Box::new(run), units: 1, bodies }
+}
+
+fn gradient(subject: Subject) -> Task {
+    let (batch, bodies) = (batch(&subject), bodies(&subject));
+    let batch = batch.with_instructions(Instructions::Avx2);
+    let units = subject.positions.len();
+    let values = subject.positions.concat();
+    let stride = values.len() / units;
+    let mut results = RowResults::new(units);
+    let mut gradients = vec![0.0; units * batch.velocities()];
+    let run = move || {
+        let positions = BatchPositions::Rows { values: black_box(&values), stride };
+        let columns = RowColumns { gradients: Some(&mut gradients), ..results.columns() };
+        batch.run(positions, columns, usize::MAX).expect("positions that fit");
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+/// Poses of the double wishbone with its contact.
+fn wishbone_poses() -> (Vec<Pose>, Contact) {
+    let (system, contact, configurations) = wishbone();
+    (poses(&system, &configurations), contact)
+}
+
+/// Poses of the six-hinge arm with its contact.
+fn arm_poses() -> (Vec<Pose>, Contact) {
+    let arm = subjects().swap_remove(0);
+    let pose = |row: &Vec<f64>| {
+        let configuration = percuss_dynamics::Configuration::from_positions(arm.system.mechanism(), row);
+        arm.system.pose(&configuration.expect("positions that fit")).expect("a tree")
+    };
+    (arm.positions.iter().map(pose).collect(), arm.contact)
+}
+
+fn respond_arm() -> Task {
+    let (poses, contact) = arm_poses();
+    let units = poses.len();
+    let run = move || {
+        for pose in &poses {
+            _ = black_box(black_box(pose).respond(&contact).expect("a contact"));
+        }
+    };
+    Task { run: Box::new(run), units, bodies: 6 }
+}
+
+fn impacts((poses, contact): &(Vec<Pose>, Contact), is_in_workspace: bool) -> Task {
+    let (poses, contact) = (poses.clone(), *contact);
+    let (units, bodies) = (poses.len(), poses[0].mechanism().joints().len());
+    let (mut workspace, mut found) = (ImpactWorkspace::new(&poses[0]), RigidImpact::none());
+    let run = move || {
+        for pose in &poses {
+            if is_in_workspace {
+                workspace.at(black_box(pose)).impact_into(&contact, 1.0, 0.3, &mut found).expect("an impact");
+            } else {
+                let response = black_box(pose).respond(&contact).expect("a contact");
+                _ = black_box(RigidImpact::new(pose, &response, 1.0, 0.3, None));
+            }
+        }
+    };
+    Task { run: Box::new(run), units, bodies }
+}
+
+fn impact_over_time((poses, contact): &(Vec<Pose>, Contact)) -> Task {
+    /// Penetration at 1 m/s, m.
+    const DEPTH: f64 = 0.002;
+    let (pose, contact) = (poses[0].clone(), *contact);
+    let response = pose.respond(&contact).expect("a contact");
+    let stiffness = response.effective_mass.kilograms().expect("a mass") / (DEPTH * DEPTH);
+    let star = JointRates { joints: response.joint_velocities.clone(), base: response.base_velocity };
+    let conditions = TimeConditions { ends_without_force: true, ..TimeConditions::default() };
+    let bodies = pose.mechanism().joints().len();
+    let run = move || {
+        let force = |x: f64, _: f64| stiffness * x;
+        let found = impact_in_time(black_box(&pose), &contact, 1.0, &star, &force, &conditions);
+        assert!(found.expect("an end").samples.len() > 2);
+    };
+    Task { run: Box::new(run), units: 1, bodies }
+}
+
+/// Questions about a suspension sheet: key, request, and number of units, which are rows, samples or evaluations.
+const QUESTIONS: [(&str, &str, usize); 8] = [
+    ("mass", r#"{"contact": {"at": "bump_stop"}}"#, 1),
+    ("explain", r#"{"contact": {"at": "bump_stop"}, "mass": {"explain": true}}"#, 1),
+    (
+        "tolerance",
+        r#"{"contact": {"at": "bump_stop"}, "mass": {"tolerance": "mass=2%,com=2mm,point=0.5mm"}}"#,
+        1,
+    ),
+    (
+        "samples",
+        r#"{"contact": {"at": "bump_stop"}, "mass": {"tolerance": "mass=2%,com=2mm,point=0.5mm", "samples": 2000}}"#,
+        2000,
+    ),
+    ("row", r#"{"contact": {"at": "spring"}, "sweep": {"vary": "wheel-travel=0mm:0mm:1"}}"#, 1),
+    ("sweep", r#"{"contact": {"at": "spring"}, "sweep": {"vary": "wheel-travel=-80mm:80mm:1001"}}"#, 1001),
+    ("kinematics", r#"{"kinematics": {"vary": "wheel-travel=-80mm:80mm:101"}}"#, 101),
+    ("extremes", r#"{"contact": {"at": "spring"}, "extremes": {"path": "wheel-travel=-80mm:80mm:17"}}"#, 1),
+];
+
+fn question(key: &str) -> Option<Task> {
+    let (_, request, units) = QUESTIONS.iter().find(|(name, ..)| *name == key)?;
+    let path = concat!(env!("CARGO_MANIFEST_DIR"), "/../models/suspensions/double-wishbone.toml");
+    let model = Model::load(path, DEFAULT_MAX_SIZE, &LoadOptions::default()).expect("a sheet");
+    let run = move || {
+        let answer = ask(black_box(&model), request);
+        _ = black_box(answer.unwrap_or_else(|error| panic!("{request}: {error}")));
+    };
+    Some(Task { run: Box::new(run), units: *units, bodies: 1 })
 }

@@ -1,7 +1,7 @@
 //! Share of the configurations of the shipped models that the compiled kernels answer.
 
 use percuss_dynamics::{Base, Conditions};
-use percuss_tests::coverage::{Coverage, OtherSide, coverage, read};
+use percuss_tests::coverage::{Coverage, OtherSide, coverage, coverage_of, families, read};
 use std::path::Path;
 
 fn sum(base: Base, other: OtherSide) -> Coverage {
@@ -30,19 +30,18 @@ fn sum(base: Base, other: OtherSide) -> Coverage {
     all
 }
 
-/// Configurations without a result of a kernel have too large a bound of the rounding error: nearly immovable contacts, and
-/// axles on a floating base. The kernels answer none of the 48 configurations of the valve train, whose cam has no mass; the poses do.
-/// On a processor without fused multiply-add, a few bounds differ.
+/// Configurations without a result of a kernel have too large a bound of the rounding error: nearly immovable contacts, and axles on a
+/// floating base. On a processor without fused multiply-add, a few bounds differ.
 #[test]
 fn shipped_models() {
     let fixed = sum(Base::Fixed, OtherSide::Ground);
     assert!((fixed.mechanisms, fixed.regular) >= (40, 1310), "{fixed:?}");
     assert_eq!(fixed.wrong, 0);
-    assert!(fixed.by_kernel >= 1210, "{fixed:?}");
+    assert!(fixed.by_kernel >= 1290, "{fixed:?}");
     let floating = sum(Base::Floating, OtherSide::Ground);
     assert!((floating.mechanisms, floating.regular) >= (40, 1639), "{floating:?}");
     assert_eq!(floating.wrong, 0);
-    assert!(floating.by_kernel >= 1540, "{floating:?}");
+    assert!(floating.by_kernel >= 1630, "{floating:?}");
 }
 
 #[test]
@@ -69,6 +68,34 @@ fn held_roots_without_mass() {
             let counts = coverage(&mechanism, &held, OtherSide::Ground);
             assert!(counts.regular >= 16 && counts.wrong == 0, "{name}, {normal:?}: {counts:?}");
             println!("{name}: {counts:?}");
+        }
+    }
+}
+
+/// Smallest share that the kernels answer in each generated family, over all kinds of contacts, per cent. Random mimics bind joints of
+/// several subtrees, or more than four coordinates, which the kernel of trees does not support.
+const LEAST_SHARES: [(&str, usize); 8] = [
+    ("trees", 98),
+    ("trees with mimics", 28),
+    ("specimens of joints", 76),
+    ("trees with a held point", 95),
+    ("linkages of all closures", 99),
+    ("linkages with relations", 92),
+    ("planar linkages", 98),
+    ("known linkages", 95),
+];
+
+/// Generated trees and linkages with contacts of all kinds.
+#[test]
+fn generated_families() {
+    for ((name, subjects), (expected, least)) in families(1).into_iter().zip(LEAST_SHARES) {
+        assert_eq!(name, expected);
+        for other in [OtherSide::Ground, OtherSide::Link, OtherSide::Line, OtherSide::Moment] {
+            let mut all = Coverage::default();
+            subjects.iter().for_each(|subject| all += coverage_of(subject, other));
+            println!("{name}, {other:?}: {all:?}");
+            assert!(all.regular >= 300 && all.wrong == 0, "{name}, {other:?}: {all:?}");
+            assert!(100 * all.by_kernel >= least * all.regular, "{name}, {other:?}: {all:?}");
         }
     }
 }

@@ -1,9 +1,12 @@
 //! Share of the configurations that the compiled kernels answer, without a second computation by the recursion.
 
 use nalgebra::Vector3;
-use percuss_dynamics::{Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, System};
+use percuss_dynamics::{
+    Base, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, System,
+};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
+use percuss_oracle::{linkage, random, zoo};
 use percuss_suspension::{ImportOptions, import};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 use std::f64::consts::PI;
@@ -127,14 +130,93 @@ pub enum OtherSide {
     Ground,
     /// Another link; the normal is constant in either link, or in the world.
     Link,
+    /// Another link; the normal is the line to a point of this link.
+    Line,
+    /// The ground or another link; a moment about an axis.
+    Moment,
 }
 
-/// Coverage of a mechanism under conditions, with random contacts.
+/// Mechanism under conditions, with a start pose.
+#[derive(Clone, Debug)]
+pub struct Subject {
+    /// The mechanism.
+    pub mechanism: Arc<Mechanism>,
+    /// Base, held contacts.
+    pub conditions: Conditions,
+    /// Positions of all joints; `None` for the pose as drawn.
+    pub start: Option<Vec<f64>>,
+}
+
+/// Families of generated mechanisms, `size` times as many as the smallest number, on both bases. Random trees have all kinds of joints
+/// and mimics, random linkages all kinds of closures.
+pub fn families(size: u64) -> Vec<(&'static str, Vec<Subject>)> {
+    let bases = [Base::Fixed, Base::Floating];
+    let on_bases = |made: Vec<(Mechanism, Option<Vec<f64>>)>| {
+        let shared = made.into_iter().map(|(mechanism, start)| (Arc::new(mechanism), start));
+        let subject = |(mechanism, start): (Arc<Mechanism>, Option<Vec<f64>>)| {
+            bases.map(|base| Subject {
+                mechanism: Arc::clone(&mechanism),
+                conditions: Conditions::new().base(base),
+                start: start.clone(),
+            })
+        };
+        shared.flat_map(subject).collect::<Vec<_>>()
+    };
+    let seeds = |first: u64, count: u64| (0..count * size).map(move |k| first + k);
+    let tree = |seed: u64| random::mechanism(&mut StdRng::seed_from_u64(seed), 3 + seed as usize % 20);
+    let has_mimic = |tree: &Mechanism| tree.joints().iter().any(|joint| joint.mimic().is_some());
+    let trees = |mimics: bool| {
+        let made = seeds(100, 24).map(tree).filter(|tree| has_mimic(tree) == mimics);
+        on_bases(made.map(|tree| (tree, None)).collect())
+    };
+    let closed = |seed: u64, relations: usize| {
+        let mut rng = StdRng::seed_from_u64(seed);
+        let (bodies, closures) = (4 + seed as usize % 7, 1 + seed as usize % 3);
+        let (mechanism, start) = random::coupled_linkage(&mut rng, bodies, closures, relations);
+        (mechanism, Some(start.concat()))
+    };
+    let linkages = |relations: usize| on_bases(seeds(500, 12).map(|seed| closed(seed, relations)).collect());
+    let drawn = seeds(900, 8).map(|seed| (linkage::family::drawn(seed).mechanism, None)).collect();
+    let chosen = linkage::all().into_iter().map(|linkage| {
+        let start = linkage.closed_start().concat();
+        (linkage.mechanism, Some(start))
+    });
+    let mut held = trees(false);
+    for (number, subject) in held.iter_mut().enumerate() {
+        let links = subject.mechanism.links();
+        let link = links[number % links.len()].name().to_owned();
+        let normal = [None, Some(Vector3::new(0.6, 0.0, 0.8))][number / 2 % 2];
+        subject.conditions = subject.conditions.clone().hold(link, [0.1, -0.2, 0.3], normal);
+    }
+    vec![
+        ("trees", trees(false)),
+        ("trees with mimics", trees(true)),
+        ("specimens of joints", on_bases(zoo::all().into_iter().map(|(_, tree)| (tree, None)).collect())),
+        ("trees with a held point", held),
+        ("linkages of all closures", linkages(0)),
+        ("linkages with relations", linkages(2)),
+        ("planar linkages", on_bases(drawn)),
+        ("known linkages", on_bases(chosen.collect())),
+    ]
+}
+
+/// Coverage of a mechanism under conditions, with random contacts, from the pose as drawn.
 pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions, other: OtherSide) -> Coverage {
+    let mechanism = Arc::clone(mechanism);
+    coverage_of(&Subject { mechanism, conditions: conditions.clone(), start: None }, other)
+}
+
+/// Coverage of a subject, with random contacts.
+pub fn coverage_of(subject: &Subject, other: OtherSide) -> Coverage {
+    let Subject { mechanism, conditions, start } = subject;
     let mut rng = StdRng::seed_from_u64(1);
     let mut counts = Coverage::default();
     let Ok(system) = System::new(Arc::clone(mechanism), conditions) else { return counts };
-    let Ok(pose) = system.pose(&system.configuration()) else { return counts };
+    let start = match start {
+        Some(positions) => Configuration::from_positions(mechanism, positions),
+        None => Ok(system.configuration()),
+    };
+    let Ok(Ok(pose)) = start.map(|start| system.pose(&start)) else { return counts };
     let links: Vec<LinkId> = mechanism.link_ids().collect();
     let size = mechanism.characteristic_length().max(0.1);
     for _ in 0..CONTACTS {
@@ -142,19 +224,29 @@ pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions, other: Othe
         let mut vector = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
         let (point, normal) = (vector() * (0.2 * size), vector());
         let mut contact = Contact::new(link, point, normal);
-        if other == OtherSide::Link {
+        if other != OtherSide::Ground {
             let frame = [Frame::Link, Frame::Against, Frame::World][rng.random_range(0..3)];
             let against = links[rng.random_range(0..links.len())];
-            contact = contact.against(against).normal(Direction::Along(normal, frame));
+            contact = match other {
+                OtherSide::Ground => contact,
+                OtherSide::Link => contact.against(against).normal(Direction::Along(normal, frame)),
+                OtherSide::Line => {
+                    contact.against(against).normal(Direction::TurningToward(against, normal * size))
+                }
+                OtherSide::Moment => {
+                    let on_ground = rng.random_bool(0.5);
+                    let contact = if on_ground { contact } else { contact.against(against) };
+                    contact.normal(Direction::About(normal, frame))
+                }
+            };
         }
         let rows = poses(&mut rng, &system, &pose);
         let Ok(mut batch) = pose.assembly().batch(&contact) else { continue };
         for pose in rows {
             let Ok(answer) = batch.effective_mass(pose.positions()) else { continue };
-            if let Some(EffectiveMass::Finite(mass)) = answer.mass {
+            if let Some(EffectiveMass::Finite(_)) = answer.mass {
                 counts.regular += 1;
-                // Only the kernels state an error of a finite mass.
-                let Some(error) = answer.error else { continue };
+                let Ok(Some((mass, error))) = batch.kernel_mass(pose.positions()) else { continue };
                 counts.by_kernel += 1;
                 counts.wrong += usize::from(!agrees(&pose, &contact, mass, error));
             }

@@ -139,6 +139,7 @@ const ARROWS: [(&str, &[&str]); 22] = [
             "percuss-dynamics",
             "percuss-impact",
             "percuss-oracle",
+            "percuss-study",
         ],
     ),
 ];

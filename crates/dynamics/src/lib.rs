@@ -54,6 +54,7 @@ pub use kinematics::outcome::{
     DenseReason, EffectiveMass, Remark, ResponseError, Route, RouteChoice, RouteError,
 };
 pub use kinematics::remarks::RemarkFlags;
+pub use linear::determined_system::DeterminedSystem;
 pub use loops::assembling::{AssemblyError, LoopState};
 pub use mobility::Singularity;
 pub use model::conditions::{Base, ConditionOfJoint, Conditions, ConditionsError};

@@ -577,3 +577,6 @@ pub(crate) const MOST_PROOF_BOXES: usize = 12;
 pub(crate) const MOST_LINKAGE_RANGES: usize = 2;
 /// Relative distance of the stated bounds of ranges from the computed ones: roundings of another program that checks the proof.
 pub(crate) const CHECK_ROOM: f64 = 1e-11;
+/// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
+/// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
+pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;

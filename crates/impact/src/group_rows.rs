@@ -3,7 +3,7 @@
 use crate::numerics::pivoted_qr::PivotedQr;
 use crate::tolerances::{INVOLVED, MOST_OPEN, OPEN_COMPONENT, OPEN_PER_FLOOR};
 use faer::Mat;
-use percuss_dynamics::ConstraintGroup;
+use percuss_dynamics::{ConstraintGroup, Pose};
 
 /// A group of constraints with the pivoted decomposition A P = Q R of its rows over scaled coordinates. The last columns of Q span
 /// ker Aᵀ.
@@ -16,10 +16,24 @@ pub(crate) struct GroupRows {
 impl GroupRows {
     /// Decomposes the rows of a group. Cost: O(rows² · coordinates).
     pub fn new(group: ConstraintGroup) -> Self {
+        let mut rows = Self { group, qr: PivotedQr::default() };
+        rows.decompose();
+        rows
+    }
+
+    /// Moves the group to another pose of the same system, in which it has this number, and reuses its memory.
+    pub fn update(&mut self, pose: &Pose, number: usize) {
+        pose.update_constraint_group(number, &mut self.group);
+        self.decompose();
+    }
+
+    fn decompose(&mut self) {
+        let Self { group, qr } = self;
         let (m, n) = group.rows.shape();
-        let qr = PivotedQr::new(m, n, |r, c| group.rows[(r, c)] / group.lengths[c]);
-        let rank = if m == 0 || n == 0 || qr.r(0, 0) == 0.0 { 0 } else { group.rank };
-        Self { group: ConstraintGroup { rank, ..group }, qr }
+        qr.decompose(m, n, |r, c| group.rows[(r, c)] / group.lengths[c]);
+        if m == 0 || n == 0 || qr.r(0, 0) == 0.0 {
+            group.rank = 0;
+        }
     }
 
     /// The group.

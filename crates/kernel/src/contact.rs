@@ -52,16 +52,26 @@ pub struct Contact {
     pub against: Option<LinkFrame>,
     /// Contact point in the frame of the contact link, m.
     pub point: Vector3<f64>,
-    /// The normal.
+    /// The normal; the axis of a moment.
     pub normal: Normal,
+    /// True for a moment about an axis in place of a force: 1/m̄ in 1/(kg·m²).
+    pub is_moment: bool,
 }
 
 impl Contact {
-    /// The bodies in contact; `None` for a contact that a tree does not support: along a line, or of links of one body.
+    /// The bodies in contact; `None` for a contact that a tree does not support: of links of one body, or along a line without length as
+    /// drawn.
     pub(crate) fn body_contact(&self) -> Option<BodyContact> {
-        let Normal::Along(normal, frame) = self.normal else { return None };
+        let (normal, frame, line) = match self.normal {
+            Normal::Along(normal, frame) => (normal, frame, None),
+            Normal::Toward { shortest, .. } if !shortest.is_finite() => return None,
+            Normal::Toward { end, point, drawn, shortest, least_cosine } => {
+                (drawn, NormalFrame::Against, Some(BodyLine { end, point, shortest, least_cosine }))
+            }
+        };
         let (body, against) = (self.on.body, self.against.and_then(|other| other.body));
-        (body != against).then_some(BodyContact { body, against, normal, frame })
+        let is_moment = self.is_moment;
+        (body != against).then_some(BodyContact { body, against, normal, frame, line, is_moment })
     }
 
     /// Conversion of a contact. `own` and `other`: transforms from plan to body coordinates of the bodies of the contact link and of
@@ -91,10 +101,27 @@ pub(crate) struct BodyContact {
     pub body: Option<usize>,
     /// Body of the link on the other side; `None` for the ground.
     pub against: Option<usize>,
-    /// Direction of any length.
+    /// Direction of any length; for a line its direction as drawn.
     pub normal: Vector3<f64>,
     /// Frame of the direction.
     pub frame: NormalFrame,
+    /// Line that defines the normal.
+    pub line: Option<BodyLine>,
+    /// True for a moment.
+    pub is_moment: bool,
+}
+
+/// Line from the contact point to a point of a link.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct BodyLine {
+    /// Link of the point.
+    pub end: LinkFrame,
+    /// The point in the frame of this link, m.
+    pub point: Vector3<f64>,
+    /// Smallest accepted length, m.
+    pub shortest: f64,
+    /// Smallest accepted cosine of the angle between the line and the line as drawn.
+    pub least_cosine: f64,
 }
 
 /// Conversion of a contact point and its normal, as given, to the frames of a kernel.

@@ -1,5 +1,4 @@
-//! SIMD kernels for many configurations at once. Trees use body-fixed axes, for contacts along a normal, also between two bodies. Linkages of
-//! few degrees of freedom use their velocities, for all contacts.
+//! SIMD kernels for many configurations at once: trees in body-fixed axes, and linkages of few degrees of freedom by their velocities.
 
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns};
 use crate::contact::{Contact, ContactConversion};
@@ -11,6 +10,7 @@ use percuss_spatial::lanes::Instructions;
 
 /// Compiled kernel of a mechanism, with its buffers.
 #[derive(Clone, Debug)]
+#[expect(clippy::large_enum_variant, reason = "one kernel per workspace; a contact allocates nothing")]
 pub enum Kernel {
     /// Tree of joints.
     Tree(TreeKernel),
@@ -42,7 +42,7 @@ impl Kernel {
     /// support contacts that differ from row to row.
     pub fn conversion(&self) -> Option<ContactConversion> {
         match self {
-            Self::Tree(tree) => Some(tree.conversion()),
+            Self::Tree(tree) => tree.conversion(),
             Self::Loop(linkage) => linkage.conversion(),
         }
     }

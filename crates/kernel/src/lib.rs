@@ -19,5 +19,5 @@ pub use contact::{Contact, ContactConversion, LinkFrame, Normal, NormalFrame};
 pub use kernel::Kernel;
 pub use mechanism::{
     Body, BodyDirection, BodyPoint, Cluster, ClusterVelocity, JointMotion, JointPosition, Linkage, Mechanism,
-    RowBlock, RowForm, RowTerm, Velocity,
+    Relation, RelationJoint, RowBlock, RowForm, RowTerm, Velocity,
 };

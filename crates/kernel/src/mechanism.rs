@@ -167,8 +167,8 @@ pub enum RowForm {
     Orientation([BodyDirection; 3], [BodyDirection; 3], f64),
     /// Rate of the distance between the two points; the value is the required distance (m).
     Distance(f64),
-    /// Constant row: the factors of the terms.
-    Constant,
+    /// Row of a relation: factor − slope · argument of each term, with the slope of the curve.
+    Relation,
 }
 
 /// One entry of the rows of a block: a velocity of a joint of the loop.
@@ -180,6 +180,8 @@ pub struct RowTerm {
     pub component: usize,
     /// +1 or −1 by the side of the loop; for a coupling the coefficient.
     pub factor: f64,
+    /// Factor in the argument of the curve of a relation; otherwise 0.
+    pub argument: f64,
 }
 
 /// Rows of one constraint, in the frames of the bodies.
@@ -193,6 +195,34 @@ pub struct RowBlock {
     pub forms: Vec<RowForm>,
     /// Joint velocities in the rows.
     pub terms: Vec<RowTerm>,
+    /// Relation of a coupling.
+    pub relation: Option<Relation>,
+}
+
+/// Relation of joint positions: Σ factor · q = constant + Σ cₖ sᵏ for k = 2, 3, 4, with s = offset + Σ argument · q.
+#[derive(Clone, Debug)]
+pub struct Relation {
+    /// Joints of the relation.
+    pub joints: Vec<RelationJoint>,
+    /// Constant, rad or m.
+    pub constant: f64,
+    /// Argument s of the curve if all positions are zero.
+    pub offset: f64,
+    /// Coefficients c₂, c₃, c₄; zero for a linear relation.
+    pub curve: [f64; 3],
+    /// Length that converts the residual to metres: 1 for a sum of lengths.
+    pub length: f64,
+}
+
+/// Joint of a relation.
+#[derive(Clone, Copy, Debug)]
+pub struct RelationJoint {
+    /// Index of the position.
+    pub q: usize,
+    /// Factor in the sum.
+    pub factor: f64,
+    /// Factor in the argument of the curve.
+    pub argument: f64,
 }
 
 /// Mechanism with closed loops or other constraints.

@@ -166,12 +166,22 @@ impl Mechanism {
         &self.child_joints[link.index()]
     }
 
+    /// Link with this name. Unlike [`find_link`](Self::find_link), no similar names are searched.
+    pub fn link_named(&self, name: &str) -> Option<LinkId> {
+        self.link_by_name.get(name).copied()
+    }
+
+    /// Joint with this name. Unlike [`find_joint`](Self::find_joint), no similar names are searched.
+    pub fn joint_named(&self, name: &str) -> Option<JointId> {
+        self.joint_by_name.get(name).copied()
+    }
+
     /// Finds a link by name.
     ///
     /// # Errors
     /// [`UnknownName`] with similar names.
     pub fn find_link(&self, name: &str) -> Result<LinkId, UnknownName> {
-        self.link_by_name.get(name).copied().ok_or_else(|| {
+        self.link_named(name).ok_or_else(|| {
             let links = (NameKind::Link, self.links.iter().map(Link::name).collect());
             UnknownName::new(name, &[links, self.contact_names()])
         })
@@ -182,7 +192,7 @@ impl Mechanism {
     /// # Errors
     /// [`UnknownName`] with similar names.
     pub fn find_joint(&self, name: &str) -> Result<JointId, UnknownName> {
-        self.joint_by_name.get(name).copied().ok_or_else(|| {
+        self.joint_named(name).ok_or_else(|| {
             // Fixed joints have no position to name.
             let movable = self.joints.iter().filter(|joint| joint.kind() != JointKind::Fixed);
             let near = near_names(name, self.joints.iter().map(Joint::name));

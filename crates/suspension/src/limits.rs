@@ -166,8 +166,5 @@ pub(crate) mod workbook {
 /// Largest distance (m) from the middle plane of a wheel that is in this plane: roundings of sums of coordinates.
 pub(crate) const MIDDLE_PLANE: f64 = 1e-9;
 
-/// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
-/// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
-pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;
 /// Least rate of the tilt of a wheel, rad/m, for an instant centre: one that is farther away than 10,000 km is at infinity.
 pub(crate) const LEAST_TILT_RATE: f64 = 1e-7;

@@ -50,8 +50,7 @@ impl BatchDerivatives {
         let is_tree = model.groups.is_empty();
         let kernel = is_tree
             .then(|| mechanism(model))
-            .zip(kernel_contact(model, contact))
-            .and_then(|(bodies, contact)| DerivativeKernel::compile(&bodies, &contact));
+            .and_then(|bodies| DerivativeKernel::compile(&bodies, &kernel_contact(model, contact)));
         let (columns, values) = match &kernel {
             Some(_) => (model.positions + LaneContacts::COUNT, velocity_count(assembly).max(INERTIA_NUMBERS)),
             None => (0, 0),

@@ -71,7 +71,8 @@ impl Pose {
             true => None,
             false => linkage(&self.assembly),
         };
-        let driven = linkage.zip(kernel_contact(model, contact)).and_then(|(linkage, on)| {
+        let driven = linkage.and_then(|linkage| {
+            let on = kernel_contact(model, contact);
             LoopContinuation::of(&linkage, &on, self.positions(), &dependent, &given)
         });
         let residual = self.loops.as_ref().map_or(0.0, |loops| loops.residual);

@@ -86,8 +86,7 @@ impl Workspace {
         let mut workspace = self.clone();
         let in_lanes = workspace
             .take_kernel()
-            .zip(kernel_contact(model, contact))
-            .and_then(|(mut lanes, contact)| lanes.set_contact(&contact).then_some(lanes));
+            .and_then(|mut lanes| lanes.set_contact(&kernel_contact(model, contact)).then_some(lanes));
         let own = in_lanes.as_ref().map_or(RemarkFlags::NONE, |_| assembly.kernel_remarks());
         let worker = Worker {
             read: in_lanes.iter().flat_map(Kernel::read_positions).collect(),
@@ -160,6 +159,17 @@ impl Batch {
             answer.remarks |= gap.flags(self.assembly.model(), |q| positions[q]);
         }
         Ok(answer)
+    }
+
+    /// m̄ and its error at one configuration by the compiled kernel alone, kg. `None` if no kernel supports the contact, or if the result is
+    /// in doubt; [`effective_mass`](Self::effective_mass) then uses the recursion.
+    ///
+    /// # Errors
+    /// [`StateSizeError::PositionCount`]: a wrong number of positions.
+    pub fn kernel_mass(&mut self, positions: &[f64]) -> Result<Option<(f64, f64)>, StateSizeError> {
+        check_positions(positions.len(), self.assembly.model().positions)?;
+        let clear = self.worker.kernel.as_mut().and_then(|lanes| lanes.effective_mass(positions));
+        Ok(clear.map(|clear| (clear.mass, clear.error)))
     }
 
     /// True if gradients and inverse inertias are computed in SIMD lanes.

@@ -238,8 +238,8 @@ impl Workspace {
             self.kernel_contact = None;
             let model = self.assembly.model();
             model.check_contact(contact)?;
-            let in_kernel = self.kernel.as_mut().zip(kernel_contact(model, contact));
-            if in_kernel.is_none_or(|(lanes, contact)| !lanes.set_contact(&contact)) {
+            let own = self.kernel.as_mut();
+            if own.is_none_or(|lanes| !lanes.set_contact(&kernel_contact(model, contact))) {
                 return self.recursion_mass(contact);
             }
             self.kernel_contact = Some(*contact);

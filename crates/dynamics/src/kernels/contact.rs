@@ -7,15 +7,14 @@ use nalgebra::Vector3;
 use percuss_kernel::{LinkFrame, Normal, NormalFrame};
 use percuss_mechanism::LinkId;
 
-/// Converts a checked contact of a model to a contact of the crate `kernel`; `None` for a moment, which the kernels do not support.
-pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> Option<percuss_kernel::Contact> {
+/// Converts a checked contact of a model to a contact of the crate `kernel`.
+pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> percuss_kernel::Contact {
     let link = |link: LinkId| {
         let own = &model.link_frames[link.index()];
         LinkFrame { body: own.body, frame: own.frame }
     };
     let normal = match contact.normal {
-        Direction::About(..) => return None,
-        Direction::Along(n, frame) => {
+        Direction::Along(n, frame) | Direction::About(n, frame) => {
             let frame = match frame {
                 Frame::Link => NormalFrame::Link,
                 Frame::Against => NormalFrame::Against,
@@ -37,5 +36,6 @@ pub(crate) fn kernel_contact(model: &Model, contact: &Contact) -> Option<percuss
         }
     };
     let (on, against) = (link(contact.link), contact.against.map(link));
-    Some(percuss_kernel::Contact { on, against, point: contact.point, normal })
+    let is_moment = contact.normal.is_moment();
+    percuss_kernel::Contact { on, against, point: contact.point, normal, is_moment }
 }

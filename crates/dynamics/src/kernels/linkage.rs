@@ -2,13 +2,15 @@
 
 use super::mechanism::mechanism;
 use crate::analysis::assembly::Assembly;
-use crate::model::{CompiledClosure, Constraint, ConstraintRows, LinkFrame, Model};
+use crate::model::{CompiledClosure, CompiledCoupling, Constraint, ConstraintRows, LinkFrame, Model};
 use crate::tolerances::EXACT_AS_DRAWN;
 use nalgebra::Vector3;
-use percuss_kernel::{BodyDirection, BodyPoint, Linkage, RowBlock, RowForm, RowTerm};
+use percuss_kernel::{
+    BodyDirection, BodyPoint, Linkage, Relation, RelationJoint, RowBlock, RowForm, RowTerm,
+};
 use percuss_mechanism::ClosureKind;
 
-/// Bodies and constraints of an assembly. `None` if redundant rows contradict each other as drawn, or if a coupling is not linear.
+/// Bodies and constraints of an assembly. `None` if redundant rows contradict each other as drawn.
 pub(crate) fn linkage(assembly: &Assembly) -> Option<Linkage> {
     let model = assembly.model();
     let groups = 0..model.groups.len();
@@ -25,9 +27,7 @@ pub(crate) fn linkage(assembly: &Assembly) -> Option<Linkage> {
     let depth = model.coordinates.iter().map(|c| c.depth).max().unwrap_or(0) + 1;
     Some(Linkage {
         mechanism: mechanism(model),
-        blocks: constraints
-            .map(|(constraint, size)| block(model, constraint, size))
-            .collect::<Option<_>>()?,
+        blocks: constraints.map(|(constraint, size)| block(model, constraint, size)).collect(),
         rank,
         shortest_length: shortest(model, &lengths),
         lengths,
@@ -37,17 +37,18 @@ pub(crate) fn linkage(assembly: &Assembly) -> Option<Linkage> {
     })
 }
 
-/// Rows of one constraint. `size` (m) scales the rows of directions. `None` for a coupling that is not linear.
-fn block(model: &Model, constraint: &ConstraintRows, size: f64) -> Option<RowBlock> {
+/// Rows of one constraint. `size` (m) scales the rows of directions.
+fn block(model: &Model, constraint: &ConstraintRows, size: f64) -> RowBlock {
     let terms = |scale: f64| {
         let term = |term: &crate::model::ConstraintTerm| RowTerm {
             body: term.body,
             component: term.component,
             factor: scale * term.factor,
+            argument: scale * term.argument,
         };
         constraint.terms.iter().map(term).collect()
     };
-    Some(match constraint.constraint {
+    match constraint.constraint {
         Constraint::Closure(i) => {
             let closure = &model.closures[i];
             let origin = |end: &LinkFrame| BodyPoint { body: end.body, at: end.frame.translation.into() };
@@ -56,18 +57,18 @@ fn block(model: &Model, constraint: &ConstraintRows, size: f64) -> Option<RowBlo
                 successor: origin(&closure.successor),
                 forms: forms(closure, size),
                 terms: terms(1.0),
+                relation: None,
             }
         }
         Constraint::Coupling(i) => {
             let coupling = &model.couplings[i];
-            if coupling.curve.is_some() {
-                return None;
-            }
+            let length = if coupling.turns { size } else { 1.0 };
             RowBlock {
                 predecessor: None,
                 successor: BodyPoint { body: None, at: [0.0; 3] },
-                forms: vec![RowForm::Constant],
-                terms: terms(if coupling.turns { size } else { 1.0 }),
+                forms: vec![RowForm::Relation],
+                terms: terms(length),
+                relation: Some(relation(model, coupling, length)),
             }
         }
         Constraint::Hold(i) => {
@@ -81,9 +82,26 @@ fn block(model: &Model, constraint: &ConstraintRows, size: f64) -> Option<RowBlo
                     .map(|d| RowForm::Along(BodyDirection { body: None, e: d.into() }))
                     .collect(),
                 terms: terms(1.0),
+                relation: None,
             }
         }
-    })
+    }
+}
+
+/// Relation of the positions of a coupling; a mimic joint is replaced by its master. `length` (m) scales the residual.
+fn relation(model: &Model, coupling: &CompiledCoupling, length: f64) -> Relation {
+    let (mut constant, mut offset) = (coupling.constant, coupling.offset);
+    let joints = coupling.terms.iter().map(|term| {
+        let Some(mimic) = &model.bodies[term.body].mimic else {
+            return RelationJoint { q: term.q, factor: term.factor, argument: term.argument };
+        };
+        constant -= term.factor * mimic.offset;
+        offset += term.argument * mimic.offset;
+        let [factor, argument] = [term.factor, term.argument].map(|own| own * mimic.multiplier);
+        RelationJoint { q: mimic.master, factor, argument }
+    });
+    let joints = joints.collect();
+    Relation { joints, constant, offset, curve: coupling.curve.unwrap_or_default(), length }
 }
 
 /// Rows of a closure, as in [`crate::kinematics::rows::closure_wrenches`], but the rows of coinciding points are in root

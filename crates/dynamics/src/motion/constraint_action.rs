@@ -74,20 +74,39 @@ impl Pose {
     /// the same motion.
     pub fn constraint_groups(&self) -> Vec<ConstraintGroup> {
         let model = self.assembly.model();
-        let of_group = |(group, decided): (&crate::model::Group, &crate::mobility::GroupMobility)| {
-            let action = |rows| self.constraint_action(rows, group.size);
-            ConstraintGroup {
+        let of_group = |(number, group): (usize, &crate::model::Group)| {
+            let action = |rows| self.constraint_action(rows);
+            let mut own = ConstraintGroup {
                 coordinates: group.coordinates.clone(),
                 lengths: group.lengths.clone(),
                 size: group.size,
-                rows: model.group_matrix(&self.kinematics, group),
-                rank: decided.rank.rank,
-                least_singular_value: decided.rank.least,
-                floor: decided.floor,
+                rows: DMatrix::zeros(group.rows, group.coordinates.len()),
+                rank: 0,
+                least_singular_value: 0.0,
+                floor: 0.0,
                 constraints: group.constraints.iter().map(action).collect(),
-            }
+            };
+            self.update_constraint_group(number, &mut own);
+            own
         };
-        model.groups.iter().zip(&self.groups).map(of_group).collect()
+        model.groups.iter().enumerate().map(of_group).collect()
+    }
+
+    /// Moves group `number` of [`constraint_groups`](Self::constraint_groups), of another pose of the same system, to this pose. Reuses the
+    /// memory of the group.
+    ///
+    /// # Panics
+    /// If the group does not exist.
+    pub fn update_constraint_group(&self, number: usize, group: &mut ConstraintGroup) {
+        let (own, decided) = (&self.assembly.model().groups[number], &self.groups[number]);
+        group.rows.fill(0.0);
+        decided.rows.for_each(own, |row, column, value| group.rows[(row, column)] += value);
+        group.rank = decided.rank.rank;
+        group.least_singular_value = decided.rank.least;
+        group.floor = decided.floor;
+        for (rows, action) in own.constraints.iter().zip(&mut group.constraints) {
+            self.move_constraint_action(rows.constraint, own.size, action);
+        }
     }
 
     /// Rows A of group `number` of [`constraint_groups`](Self::constraint_groups) at the pose, row by row, in `rows`. Returns their
@@ -101,30 +120,43 @@ impl Pose {
         decided.rank.rank
     }
 
-    /// Wrenches of the rows of one constraint; `size` is the length of its group.
-    fn constraint_action(&self, rows: &ConstraintRows, size: f64) -> ConstraintAction {
+    /// The parts of the action of one constraint that are the same at all poses.
+    fn constraint_action(&self, rows: &ConstraintRows) -> ConstraintAction {
         let model = self.assembly.model();
-        let mut action = ConstraintAction {
-            source: ConstraintSource::Closure(0),
+        let (source, successor, predecessor) = match rows.constraint {
+            Constraint::Closure(i) => {
+                let declared = &model.mechanism.closures()[i];
+                (ConstraintSource::Closure(i), declared.successor().link, declared.predecessor().link)
+            }
+            Constraint::Coupling(i) => (ConstraintSource::Coupling(i), None, None),
+            Constraint::Hold(i) => (ConstraintSource::Hold(i), Some(model.holds[i].link), None),
+        };
+        ConstraintAction {
+            source,
             name: model.constraint_name(rows.constraint),
             first: rows.first,
             count: rows.count,
             point: Vector3::zeros(),
             wrenches: Vec::new(),
-            successor: None,
-            predecessor: None,
+            successor,
+            predecessor,
             joint_forces: Vec::new(),
-        };
-        match rows.constraint {
+        }
+    }
+
+    /// Computes the point, the wrenches and the joint forces of a constraint at the pose; `size` is the length of its group.
+    fn move_constraint_action(&self, constraint: Constraint, size: f64, action: &mut ConstraintAction) {
+        let model = self.assembly.model();
+        action.wrenches.clear();
+        action.joint_forces.clear();
+        match constraint {
             Constraint::Closure(i) => {
-                let (closure, declared) = (&model.closures[i], &model.mechanism.closures()[i]);
+                let closure = &model.closures[i];
                 let x_rp = self.kinematics.frame_of(&closure.predecessor);
                 let x_rs = self.kinematics.frame_of(&closure.successor);
-                action.source = ConstraintSource::Closure(i);
                 action.point = x_rs.translation;
-                action.wrenches = closure_wrenches(closure, &x_rp, &x_rs, size)[..rows.count].to_vec();
-                action.successor = declared.successor().link;
-                action.predecessor = declared.predecessor().link;
+                let wrenches = closure_wrenches(closure, &x_rp, &x_rs, size);
+                action.wrenches.extend_from_slice(&wrenches[..action.count]);
             }
             Constraint::Coupling(i) => {
                 let (coupling, declared) = (&model.couplings[i], &model.mechanism.couplings()[i]);
@@ -133,18 +165,14 @@ impl Pose {
                 let curve = declared.curve().map_or(&[][..], |curve| curve.terms());
                 let in_curve = curve.iter().map(|&(joint, argument)| (joint, -slope * argument));
                 let terms = declared.terms().iter().copied().chain(in_curve);
-                action.source = ConstraintSource::Coupling(i);
-                action.joint_forces = terms.map(|(joint, factor)| (joint, scale * factor)).collect();
+                action.joint_forces.extend(terms.map(|(joint, factor)| (joint, scale * factor)));
             }
             Constraint::Hold(i) => {
                 let hold = &model.holds[i];
-                action.source = ConstraintSource::Hold(i);
                 action.point = self.kinematics.link_frame(model, hold.link).point(&hold.point);
                 let along = hold.directions().map(|d| Wrench::new(Vector3::zeros(), d));
-                action.wrenches = along[..rows.count].to_vec();
-                action.successor = Some(hold.link);
+                action.wrenches.extend_from_slice(&along[..action.count]);
             }
         }
-        action
     }
 }

@@ -42,6 +42,8 @@ pub struct ReactionMap {
     groups: Vec<GroupRows>,
     /// Index of the first row of each group among the rows of all groups.
     first_rows: Vec<usize>,
+    /// Links between the two ends of each constraint of all groups, group by group.
+    routes: Vec<Vec<LoadedLink>>,
     /// For each link: groups whose rows load its parent joint, with the wrench on the link at each unit multiplier, in
     /// the link's axes at its origin.
     sensitivities: Vec<Vec<(usize, Vec<Wrench<f64>>)>>,
@@ -53,6 +55,16 @@ pub struct ReactionMap {
     joint_constraints: JointConstraints,
     closures: Vec<ConstraintLayout>,
     holds: Vec<ConstraintLayout>,
+}
+
+/// Link whose parent joint a constraint loads.
+#[derive(Clone, Copy, Debug)]
+struct LoadedLink {
+    link: LinkId,
+    /// Index of the group among the groups that load this joint.
+    entry: usize,
+    /// +1 on the side of the successor, −1 on the side of the predecessor.
+    sign: f64,
 }
 
 /// Frame and open components of a reaction.
@@ -98,8 +110,9 @@ impl ReactionMap {
         let mut map = Self {
             tree: TreeFrames::new(pose),
             bound: Vec::new(),
-            groups: Vec::new(),
+            groups: pose.constraint_groups().into_iter().map(GroupRows::new).collect(),
             first_rows: Vec::new(),
+            routes: Vec::new(),
             sensitivities: vec![Vec::new(); pose.mechanism().links().len()],
             ground: None,
             joints: Vec::new(),
@@ -108,6 +121,14 @@ impl ReactionMap {
             closures: Vec::new(),
             holds: Vec::new(),
         };
+        map.bound.resize(map.tree.coordinate_count, false);
+        map.groups.iter().flat_map(GroupRows::coordinates).for_each(|&c| map.bound[c] = true);
+        let mut rows = 0;
+        for group in &map.groups {
+            map.first_rows.push(rows);
+            rows += group.rows();
+        }
+        map.find_routes();
         map.prepare(pose);
         map
     }
@@ -119,23 +140,13 @@ impl ReactionMap {
     pub fn update(&mut self, pose: &Pose) {
         assert!(Arc::ptr_eq(pose.mechanism(), &self.tree.mechanism), "the pose belongs to another mechanism");
         self.tree.update(pose);
+        for (number, group) in self.groups.iter_mut().enumerate() {
+            group.update(pose, number);
+        }
         self.prepare(pose);
     }
 
     fn prepare(&mut self, pose: &Pose) {
-        self.groups.clear();
-        self.groups.extend(pose.constraint_groups().into_iter().map(GroupRows::new));
-        self.first_rows.clear();
-        let mut rows = 0;
-        for group in &self.groups {
-            self.first_rows.push(rows);
-            rows += group.rows();
-        }
-        self.bound.clear();
-        self.bound.resize(self.tree.coordinate_count, false);
-        self.groups.iter().flat_map(GroupRows::coordinates).for_each(|&c| self.bound[c] = true);
-        // The constraints load the same links at every pose.
-        self.sensitivities.iter_mut().flatten().for_each(|(_, wrenches)| wrenches.fill(Wrench::zero()));
         self.collect_sensitivities();
         self.joint_constraints =
             JointConstraints::new(pose, &self.tree, &self.groups, &self.first_rows, &self.sensitivities);
@@ -293,14 +304,15 @@ impl ReactionMap {
         &self.tree
     }
 
-    /// Computes the wrench in each parent joint per unit multiplier. A constraint loads the joints between its two ends; joints
-    /// above both ends receive no wrench.
-    fn collect_sensitivities(&mut self) {
-        let Self { tree, groups, sensitivities, .. } = self;
+    /// Finds the links whose parent joints the constraints load, and allocates their wrenches. A constraint loads the joints between its
+    /// two ends; joints above both ends receive no wrench. The links are the same at every pose.
+    fn find_routes(&mut self) {
+        let Self { tree, groups, routes, sensitivities, .. } = self;
         for (number, rows) in groups.iter().enumerate() {
             let group = rows.group();
             let count = group.rows.nrows();
             for action in &group.constraints {
+                let mut route = Vec::new();
                 let ends = [
                     (action.successor, action.predecessor, 1.0),
                     (action.predecessor, action.successor, -1.0),
@@ -315,13 +327,26 @@ impl ReactionMap {
                         if known.is_none() {
                             of_link.push((number, vec![Wrench::zero(); count]));
                         }
-                        let wrenches = &mut of_link[at].1;
-                        for (row, wrench) in action.wrenches.iter().enumerate() {
-                            // A wrench of the constraint on the subtree reduces the wrench of the parent joint.
-                            let in_link = tree.in_link(link, wrench, &action.point);
-                            wrenches[action.first + row] -= in_link * sign;
-                        }
+                        route.push(LoadedLink { link, entry: at, sign });
                     }
+                }
+                routes.push(route);
+            }
+        }
+    }
+
+    /// Computes the wrench in each parent joint per unit multiplier.
+    fn collect_sensitivities(&mut self) {
+        let Self { tree, groups, routes, sensitivities, .. } = self;
+        sensitivities.iter_mut().flatten().for_each(|(_, wrenches)| wrenches.fill(Wrench::zero()));
+        let actions = groups.iter().flat_map(|rows| &rows.group().constraints);
+        for (action, route) in actions.zip(routes.iter()) {
+            for LoadedLink { link, entry, sign } in route {
+                let wrenches = &mut sensitivities[link.index()][*entry].1;
+                for (row, wrench) in action.wrenches.iter().enumerate() {
+                    // A wrench of the constraint on the subtree reduces the wrench of the parent joint.
+                    let in_link = tree.in_link(*link, wrench, &action.point);
+                    wrenches[action.first + row] -= in_link * *sign;
                 }
             }
         }

@@ -51,10 +51,13 @@ pub struct DerivativeKernel {
 }
 
 impl DerivativeKernel {
-    /// Kernel of a tree for a checked contact with a link of the ground; `None` for other mechanisms and contacts.
+    /// Kernel of a tree for a checked contact with a link of the ground; `None` for other mechanisms and contacts, for lines and for
+    /// moments.
     pub fn compile(mechanism: &Mechanism, contact: &Contact) -> Option<Self> {
         let plan = Plan::of(mechanism)?;
-        let ground_contact = contact.body_contact().filter(|contact| contact.against.is_none());
+        let ground_contact = contact
+            .body_contact()
+            .filter(|contact| contact.against.is_none() && !contact.is_moment && contact.line.is_none());
         let BodyContact { body: Some(body), normal, frame, .. } = ground_contact? else { return None };
         let conversion = contact.conversion(&plan.frames[body], None, frame);
         let root = plan.steps[body].subtree_root;

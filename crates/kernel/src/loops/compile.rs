@@ -15,8 +15,18 @@ use std::collections::{BTreeMap, BTreeSet};
 
 impl LoopPlan {
     /// Plan with rows and columns ordered by the pivots at `positions`; `may_depend(coordinate)`: true if the coordinate may be dependent.
-    /// `None` for planar joints, many degrees of freedom, negative inertias, and rows that are not regular at the positions.
+    /// `None` for many degrees of freedom, negative inertias, and rows that are not regular at the positions.
     pub fn compile(linkage: &Linkage, positions: &[f64], may_depend: &dyn Fn(usize) -> bool) -> Option<Self> {
+        Self::compile_rows(linkage, positions, may_depend, false)
+    }
+
+    /// Plan of [`Self::compile`]. `closes`: with the residuals of linear relations, which do not change their rows.
+    fn compile_rows(
+        linkage: &Linkage,
+        positions: &[f64],
+        may_depend: &dyn Fn(usize) -> bool,
+        closes: bool,
+    ) -> Option<Self> {
         let Linkage {
             mechanism, blocks, rank, lengths, shortest_length, depth, redundancy_threshold, ..
         } = linkage;
@@ -34,6 +44,7 @@ impl LoopPlan {
         let mut plan = Self {
             bodies: Vec::with_capacity(bodies),
             blocks: Vec::new(),
+            relations: Vec::new(),
             pivots: Vec::new(),
             filled_in: Vec::new(),
             remainders: Vec::new(),
@@ -60,7 +71,7 @@ impl LoopPlan {
             let carried = body.parent.map_or(0.0, |p| plan.bodies[p].reach);
             let own = if body.parent.is_some() { Vector3::from(moving.translation).norm() } else { 0.0 };
             let travel = match moving.motion {
-                LoopMotion::Floating(_) => mechanism.characteristic_length,
+                LoopMotion::Floating(_) | LoopMotion::Planar(_) => mechanism.characteristic_length,
                 _ => 0.0,
             };
             moving.reach = carried + own + travel;
@@ -75,8 +86,12 @@ impl LoopPlan {
         // The rounding errors of the frames along a chain are independent: their sum grows with the square root of the depth.
         plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + (*depth as f64).sqrt());
         let mut rows = 0;
-        for block in blocks {
-            let block = plan.block(block, &mut rows)?;
+        for given in blocks {
+            let mut block = plan.block(given, &mut rows)?;
+            if let Some(relation) = given.relation.as_ref().filter(|own| closes || own.curve != [0.0; 3]) {
+                block.relation = Some(plan.relations.len());
+                plan.relations.push(relation.clone());
+            }
             plan.blocks.push(block);
         }
         let coordinates: Vec<usize> = (0..numbers.len()).filter(|&c| numbers[c].is_some()).collect();
@@ -86,17 +101,21 @@ impl LoopPlan {
         Some(plan)
     }
 
-    /// Plan of [`Self::compile`] for a path of the driving joints. Also `None` if the linkage has couplings, held contacts, floating joints, or
+    /// Plan of [`Self::compile`] for a path of the driving joints. Also `None` if the linkage has held contacts, floating or planar joints, or
     /// closures that bind the full orientation.
     pub fn compile_driven(
         linkage: &Linkage,
         positions: &[f64],
         may_depend: &dyn Fn(usize) -> bool,
     ) -> Option<Self> {
-        let plan = Self::compile(linkage, positions, may_depend)?;
+        let plan = Self::compile_rows(linkage, positions, may_depend, true)?;
         let binds = |(form, _): &(RowForm, _)| matches!(form, RowForm::Orientation(..));
-        let fits = |block: &Block| block.predecessor.is_some() && !block.forms.iter().any(binds);
-        let floats = plan.bodies.iter().any(|body| matches!(body.motion, LoopMotion::Floating(_)));
+        let is_closed = |block: &Block| block.predecessor.is_some() || block.relation.is_some();
+        let fits = |block: &Block| is_closed(block) && !block.forms.iter().any(binds);
+        let floats = plan
+            .bodies
+            .iter()
+            .any(|body| matches!(body.motion, LoopMotion::Floating(_) | LoopMotion::Planar(_)));
         (!floats && plan.blocks.iter().all(fits)).then_some(plan)
     }
 
@@ -112,7 +131,7 @@ impl LoopPlan {
                 RowForm::Orientation(own, other, length) => {
                     RowForm::Orientation(own.each_ref().map(heading), other.each_ref().map(heading), *length)
                 }
-                form @ (RowForm::Point | RowForm::Distance(_) | RowForm::Constant) => *form,
+                form @ (RowForm::Point | RowForm::Distance(_) | RowForm::Relation) => *form,
             };
             let count = if matches!(form, RowForm::Point | RowForm::Orientation(..)) { 3 } else { 1 };
             let first = *rows;
@@ -131,6 +150,7 @@ impl LoopPlan {
                 slides: body.motion.translates(term.component),
                 column: velocity.column,
                 factor: term.factor * velocity.factor,
+                argument: term.argument * velocity.factor,
                 is_first: !std::mem::replace(&mut seen[velocity.column], true),
             })
         };
@@ -140,6 +160,7 @@ impl LoopPlan {
             successor: point(&given.successor),
             forms,
             terms,
+            relation: None,
         })
     }
 
@@ -242,7 +263,8 @@ impl LoopPlan {
                 .for_each(|own| own.entries = columns.iter().map(|c| numbers[own.row][c]).collect());
         }
         let counts = (pattern.len(), pattern.iter().map(BTreeSet::len).sum());
-        self.layout = Layout::of(self.bodies.len(), counts, self.columns, self.freedoms);
+        let relations = self.relations.len();
+        self.layout = Layout::of(self.bodies.len(), counts, self.columns, self.freedoms, relations);
         numbers
     }
 
@@ -362,10 +384,10 @@ fn moving(
         JointMotion::Spherical => LoopMotion::Ball(q),
         JointMotion::Base => LoopMotion::Base,
         JointMotion::Floating => LoopMotion::Floating(q),
-        JointMotion::Planar => return None,
+        JointMotion::Planar => LoopMotion::Planar(q),
     };
     let frame = match motion {
-        LoopMotion::Turn(_) | LoopMotion::Slide(_) => {
+        LoopMotion::Turn(_) | LoopMotion::Slide(_) | LoopMotion::Planar(_) => {
             let (x, y) = plane_basis(&body.axis);
             Transform::new(Matrix3::from_columns(&[x, y, body.axis]), Vector3::zeros())
         }

@@ -119,7 +119,7 @@ impl LoopContinuation {
         let (mut following, mut free) = (Vec::new(), Vec::new());
         for (body, own) in plan.bodies.iter().zip(bodies).filter(|(_, own)| own.mimic.is_none()) {
             match body.motion {
-                LoopMotion::Fixed | LoopMotion::Base | LoopMotion::Floating(_) => {}
+                LoopMotion::Fixed | LoopMotion::Base | LoopMotion::Floating(_) | LoopMotion::Planar(_) => {}
                 LoopMotion::Turn(position) | LoopMotion::Slide(position) => {
                     let Some(velocity) = body.velocities.first() else { continue };
                     let (q, column, factor) = (position.q, velocity.column, velocity.factor);

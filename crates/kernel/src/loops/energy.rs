@@ -8,7 +8,7 @@
 //! with d the dependent and i the independent coordinates: GᵀMG from the kinetic energy, without articulated
 //! inertias. For few degrees of freedom this is cheaper than a recursion over clusters. A test compares the two.
 
-use super::frames::{direction, direction_of, fill_frames, frame, point, point_of};
+use super::frames::{direction, direction_of, fill_frames, frame, joint_axis, point, point_of};
 use super::layout::{
     FRAME, add_scaled, cross, dot, get, get_vector, minus, plus, put_vector, size, store, times,
 };
@@ -30,6 +30,8 @@ pub(super) struct LoopContact {
     /// Body on the other side; `None` for the ground.
     pub against: Option<usize>,
     pub normal: LoopNormal,
+    /// True for a moment about an axis: the closing speed is the rate of rotation about the normal.
+    pub is_moment: bool,
     /// Points and fixed normals of the rows, which replace those of `on` and `normal`.
     pub columns: Option<LaneContacts>,
     /// Of points, and of normals in fixed directions.
@@ -83,7 +85,11 @@ pub(super) fn evaluate<T: Lanes>(
         match body.motion {
             LoopMotion::Ball(q) => beyond += quaternion_norm_excess(columns, q, first),
             LoopMotion::Floating(q) => beyond += quaternion_norm_excess(columns, q + 3, first),
-            LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) | LoopMotion::Base => {}
+            LoopMotion::Fixed
+            | LoopMotion::Turn(_)
+            | LoopMotion::Slide(_)
+            | LoopMotion::Planar(_)
+            | LoopMotion::Base => {}
         }
     }
     let rows: RowRoundings<T> = fill_rows::<T, true>(plan, scratch).roundings;
@@ -176,7 +182,10 @@ fn fill_twists<T: Lanes>(plan: &LoopPlan, scratch: &mut [f64]) {
                 let rate = rate * T::from_f64(velocity.factor);
                 match body.motion {
                     LoopMotion::Fixed => {}
-                    LoopMotion::Turn(_) => {
+                    LoopMotion::Planar(_) if k < 2 => {
+                        linear = add_scaled(&joint_axis(&plan.bodies, i, k, scratch), rate, &linear)
+                    }
+                    LoopMotion::Turn(_) | LoopMotion::Planar(_) => {
                         angular = add_scaled(&[turn[0][2], turn[1][2], turn[2][2]], rate, &angular)
                     }
                     LoopMotion::Slide(_) => {
@@ -257,11 +266,11 @@ fn solve_response<T: Lanes>(
     let mut y = 0;
     while y < f {
         if let Some(body) = contact.on.body {
-            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, scratch);
+            let (speed, test) = speed::<T>(plan, (body, contact.is_moment), y, &at, &normal, scratch);
             (t[y], tests[y]) = (t[y] + speed, tests[y] + test);
         }
         if let Some(body) = contact.against {
-            let (speed, test) = speed::<T>(plan, body, y, &at, &normal, scratch);
+            let (speed, test) = speed::<T>(plan, (body, contact.is_moment), y, &at, &normal, scratch);
             (t[y], tests[y]) = (t[y] - speed, tests[y] + test);
         }
         y += 1;
@@ -269,7 +278,8 @@ fn solve_response<T: Lanes>(
     let reach_of = |body: Option<usize>| body.map_or(0.0, |b| plan.bodies[b].reach);
     let reach = reach_of(contact.on.body) + reach_of(contact.against);
     let arm = size(&at) + T::from_f64(reach);
-    let arms = arm.mul_add(T::from_f64(1.0 / plan.length), T::one());
+    let per_length = T::from_f64(1.0 / plan.length);
+    let arms = if contact.is_moment { per_length } else { arm.mul_add(per_length, T::one()) };
     // The errors of the entries are also errors of the frames.
     let roundings = entries + T::from_f64(ROUTE_ROUNDINGS);
     let entry_error = entries * T::from_f64(plan.scale);
@@ -278,8 +288,8 @@ fn solve_response<T: Lanes>(
         let most = rate_sum::<T>(plan, k, scratch) * least;
         let (mut speeds, mut energy) = (most * arms, most * T::from_f64(plan.weight.sqrt()));
         if refined {
-            let on = speed_error::<T>(plan, contact.on.body, k, &at, scratch);
-            let against = speed_error::<T>(plan, contact.against, k, &at, scratch);
+            let on = speed_error::<T>(plan, (contact.on.body, contact.is_moment), k, &at, scratch);
+            let against = speed_error::<T>(plan, (contact.against, contact.is_moment), k, &at, scratch);
             speeds = smaller(on + against, speeds);
             energy = smaller(energy_error::<T>(plan, k, scratch), energy);
         }
@@ -348,9 +358,16 @@ fn smaller<T: Lanes>(a: T, b: T) -> T {
     -(-a).max(-b)
 }
 
-/// Bound of the error of the speed of a body's point `at` from the errors of the rates, per error of an entry.
+/// Bound of the error of the speed of a body's point `at`, or for a moment of the body's rate of rotation, from the errors of the rates, per
+/// error of an entry.
 #[cfg_attr(not(debug_assertions), inline(always))]
-fn speed_error<T: Lanes>(plan: &LoopPlan, body: Option<usize>, y: usize, at: &[T; 3], scratch: &[f64]) -> T {
+fn speed_error<T: Lanes>(
+    plan: &LoopPlan,
+    (body, is_moment): (Option<usize>, bool),
+    y: usize,
+    at: &[T; 3],
+    scratch: &[f64],
+) -> T {
     let (mut sum, mut next) = (T::zero(), body);
     while let Some(index) = next {
         let body = &plan.bodies[index];
@@ -358,7 +375,11 @@ fn speed_error<T: Lanes>(plan: &LoopPlan, body: Option<usize>, y: usize, at: &[T
         for (k, velocity) in body.velocities.iter().enumerate() {
             let error: T = get(scratch, plan.layout.rate_errors + velocity.column * plan.freedoms + y);
             let factor = T::from_f64(velocity.factor.abs());
-            let lever = if body.motion.translates(k) { factor } else { arm * factor };
+            let lever = match (body.motion.translates(k), is_moment) {
+                (true, true) => continue,
+                (true, false) | (false, true) => factor,
+                (false, false) => arm * factor,
+            };
             sum = error.mul_add(lever, sum);
         }
         next = body.parent;
@@ -366,11 +387,11 @@ fn speed_error<T: Lanes>(plan: &LoopPlan, body: Option<usize>, y: usize, at: &[T
     sum
 }
 
-/// Closing speed of a body's point, and the size of its terms.
+/// Closing speed of a body's point, or for a moment the body's rate of rotation about the normal, and the size of its terms.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn speed<T: Lanes>(
     plan: &LoopPlan,
-    body: usize,
+    (body, is_moment): (usize, bool),
     y: usize,
     at: &[T; 3],
     normal: &[T; 3],
@@ -381,6 +402,9 @@ fn speed<T: Lanes>(
     }
     let from = plan.layout.twists + 6 * (body * plan.freedoms + y);
     let (angular, linear): ([T; 3], [T; 3]) = (get_vector(scratch, from), get_vector(scratch, from + 3));
+    if is_moment {
+        return (dot(normal, &angular), size(&angular));
+    }
     let arm = minus(at, &get_vector(scratch, FRAME * body + 9));
     let velocity = plus(&linear, &cross(&angular, &arm));
     (dot(normal, &velocity), size(&angular).mul_add(size(&arm), size(&linear)))

@@ -1,13 +1,14 @@
 //! Poses of the bodies of a linkage, root axes, relative to a centre near the bodies.
 
 use super::layout::{FRAME, add_scaled, dot, get, get_vector, plus, put_vector, size, times};
-use super::plan::{LoopMotion, LoopPlan};
+use super::plan::{LoopBody, LoopMotion, LoopPlan};
+use super::relations::fill_relations;
 use crate::columns::PositionColumns;
 use crate::mechanism::{BodyDirection, BodyPoint, JointPosition};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
 use percuss_spatial::{rotation_rows, splat};
 
-/// Stores the frames of the bodies. Returns the excess of the angles beyond their accepted range, and the distance of
+/// Stores the frames of the bodies and the values of the relations. Returns the excess of the angles beyond their accepted range, and the distance of
 /// the farthest body from the centre.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn fill_frames<T: Lanes>(
@@ -32,16 +33,14 @@ pub(super) fn fill_frames<T: Lanes>(
         match body.motion {
             LoopMotion::Fixed | LoopMotion::Base => {}
             LoopMotion::Turn(position) => {
-                let angle: T = position.at(columns, first);
-                let over = angle.abs() - T::from_f64(LARGEST_ANGLE);
-                beyond += over + over.abs();
-                let (s, c) = angle.sin_cos();
-                let mut r = 0;
-                while r < 3 {
-                    let [x, y, z] = turn[r];
-                    turn[r] = [c.mul_add(x, s * y), c.mul_add(y, -(s * x)), z];
-                    r += 1;
+                beyond += turn_about_z(&mut turn, position.at(columns, first));
+            }
+            LoopMotion::Planar(q) => {
+                for k in 0..2 {
+                    let travel: T = columns.at(q + k, first);
+                    shift = add_scaled(&[turn[0][k], turn[1][k], turn[2][k]], travel, &shift);
                 }
+                beyond += turn_about_z(&mut turn, columns.at(q + 2, first));
             }
             LoopMotion::Slide(position) => {
                 let travel: T = position.at(columns, first);
@@ -61,7 +60,22 @@ pub(super) fn fill_frames<T: Lanes>(
         put_vector(scratch, FRAME * i + 9, shift);
         far = far.max(size(&shift));
     }
+    fill_relations::<T>(plan, columns, first, scratch);
     (beyond, far)
+}
+
+/// Rotates a frame about its z axis. Returns the excess of the angle beyond the accepted range.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn turn_about_z<T: Lanes>(turn: &mut [[T; 3]; 3], angle: T) -> T {
+    let (s, c) = angle.sin_cos();
+    let mut r = 0;
+    while r < 3 {
+        let [x, y, z] = turn[r];
+        turn[r] = [c.mul_add(x, s * y), c.mul_add(y, -(s * x)), z];
+        r += 1;
+    }
+    let over = angle.abs() - T::from_f64(LARGEST_ANGLE);
+    over + over.abs()
 }
 
 impl JointPosition {
@@ -104,9 +118,25 @@ pub(super) fn frame<T: Lanes>(scratch: &[f64], body: usize) -> ([[T; 3]; 3], [T;
 
 /// Axis `k` of a body: a column of its rotation.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(super) fn axis<T: Lanes>(scratch: &[f64], body: usize, k: usize) -> [T; 3] {
+fn axis<T: Lanes>(scratch: &[f64], body: usize, k: usize) -> [T; 3] {
     let at = FRAME * body + k;
     [get(scratch, at), get(scratch, at + 3), get(scratch, at + 6)]
+}
+
+/// Axis of velocity `k` of a body's joint, root axes.
+#[cfg_attr(not(debug_assertions), inline(always))]
+pub(super) fn joint_axis<T: Lanes>(bodies: &[LoopBody], body: usize, k: usize, scratch: &[f64]) -> [T; 3] {
+    let k = match bodies[body].motion {
+        LoopMotion::Planar(_) if k < 2 => {
+            // These translations do not rotate with the body.
+            let LoopBody { parent, rotation, .. } = &bodies[body];
+            return direction_of(scratch, *parent, splat(&[rotation[0][k], rotation[1][k], rotation[2][k]]));
+        }
+        LoopMotion::Ball(_) => k,
+        LoopMotion::Floating(_) | LoopMotion::Base => k % 3,
+        LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) | LoopMotion::Planar(_) => 2,
+    };
+    axis(scratch, body, k)
 }
 
 /// Direction fixed in a body or in the root, in root axes. `scratch`: workspace with the frames of the bodies.

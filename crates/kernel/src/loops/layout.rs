@@ -26,6 +26,8 @@ pub(super) struct Layout {
     pub known: usize,
     /// D on and below the diagonal, row by row.
     pub energy: usize,
+    /// Slope, residual (m) and rounding of the slope of each relation.
+    pub relations: usize,
     /// Number of values per lane.
     pub total: usize,
     /// Number of pivot rows, and of dependent coordinates.
@@ -34,11 +36,19 @@ pub(super) struct Layout {
 
 /// Frame of a body: nine numbers for its rotation, three for its position.
 pub(super) const FRAME: usize = 12;
+/// Values of a relation.
+pub(super) const RELATION: usize = 3;
 
 impl Layout {
-    /// Layout for `bodies` bodies, `all` rows of A with `nonzero` entries, `columns` coordinates, of which `freedoms` are independent. The
-    /// frames of the bodies come first.
-    pub fn of(bodies: usize, (all, nonzero): (usize, usize), columns: usize, freedoms: usize) -> Self {
+    /// Layout for `bodies` bodies, `all` rows of A with `nonzero` entries, `columns` coordinates, of which `freedoms` are independent, and
+    /// `curves` relations. The frames of the bodies come first.
+    pub fn of(
+        bodies: usize,
+        (all, nonzero): (usize, usize),
+        columns: usize,
+        freedoms: usize,
+        curves: usize,
+    ) -> Self {
         let count = columns - freedoms;
         let entries = FRAME * bodies;
         let over = entries + nonzero;
@@ -50,6 +60,7 @@ impl Layout {
         let rate_errors = growth + all;
         let known = rate_errors + columns * freedoms;
         let energy = known + 6 * freedoms;
+        let relations = energy + freedoms * (freedoms + 1) / 2;
         Self {
             entries,
             inverse_pivots: over,
@@ -61,7 +72,8 @@ impl Layout {
             rate_errors,
             known,
             energy,
-            total: energy + freedoms * (freedoms + 1) / 2,
+            relations,
+            total: relations + RELATION * curves,
             count,
         }
     }

@@ -1,8 +1,7 @@
-//! m̄ of a mechanism with loops and few degrees of freedom from its kinetic energy, in SIMD lanes: hinges, slides, balls and floating
-//! joints on the ground or on a floating base.
+//! m̄ of a mechanism with loops and few degrees of freedom from its kinetic energy, in SIMD lanes: hinges, slides, planar joints, balls and
+//! floating joints on the ground or on a floating base.
 //!
-//! The kernel returns only results without doubt. All other cases (planar joints, redundant rows
-//! that contradict each other, positions that do not close the loops, poses near singular ones, massless or immovable contacts and
+//! The kernel returns only results without doubt. All other cases (redundant rows that contradict each other, positions that do not close the loops, poses near singular ones, massless or immovable contacts and
 //! contacts near either) are left to the caller.
 
 mod compile;
@@ -11,6 +10,7 @@ mod energy;
 mod frames;
 mod layout;
 mod plan;
+mod relations;
 mod rows;
 
 pub use continuation::{FollowedRow, LoopContinuation, Positions};
@@ -89,7 +89,8 @@ impl LoopKernel {
                 least_cosine: *least_cosine,
             },
         };
-        self.contact = Some(LoopContact { on, against, normal, columns: None, conversion });
+        let is_moment = contact.is_moment;
+        self.contact = Some(LoopContact { on, against, normal, is_moment, columns: None, conversion });
         true
     }
 
@@ -138,6 +139,7 @@ impl LoopKernel {
         self.plan.bodies.iter().flat_map(|body| match body.motion {
             LoopMotion::Fixed | LoopMotion::Base => 0..0,
             LoopMotion::Turn(position) | LoopMotion::Slide(position) => position.q..position.q + 1,
+            LoopMotion::Planar(q) => q..q + 3,
             LoopMotion::Ball(q) => q..q + 4,
             LoopMotion::Floating(q) => q..q + 7,
         })

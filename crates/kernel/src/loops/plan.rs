@@ -2,7 +2,7 @@
 //! the rows that close the loops, and the order in which dependent coordinates are eliminated.
 
 use super::layout::Layout;
-use crate::mechanism::{BodyDirection, BodyPoint, JointPosition, RowForm};
+use crate::mechanism::{BodyDirection, BodyPoint, JointPosition, Relation, RowForm};
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
 
@@ -15,6 +15,8 @@ pub(super) enum LoopMotion {
     Turn(JointPosition),
     /// Translation along z.
     Slide(JointPosition),
+    /// Translations along x and y of the joint frame by two positions, and rotation about z by the third.
+    Planar(usize),
     /// Rotation by the quaternion that starts at a position index.
     Ball(usize),
     /// Translation by three positions, and rotation by the quaternion that follows.
@@ -28,6 +30,7 @@ impl LoopMotion {
     pub fn translates(self, k: usize) -> bool {
         match self {
             Self::Slide(_) => true,
+            Self::Planar(_) => k < 2,
             Self::Floating(_) | Self::Base => k >= 3,
             Self::Fixed | Self::Turn(_) | Self::Ball(_) => false,
         }
@@ -72,6 +75,8 @@ pub(super) struct BlockTerm {
     pub slides: bool,
     pub column: usize,
     pub factor: f64,
+    /// Factor in the argument of the curve of a relation.
+    pub argument: f64,
     /// True for the first term of its column in the block.
     pub is_first: bool,
 }
@@ -94,6 +99,8 @@ pub(super) struct Block {
     /// Forms with their rows; `None` for an unused row.
     pub forms: Vec<(RowForm, [Option<BlockRow>; 3])>,
     pub terms: Vec<BlockTerm>,
+    /// Index of the relation of a coupling whose slope or residual is computed.
+    pub relation: Option<usize>,
 }
 
 impl Block {
@@ -127,6 +134,7 @@ pub(super) struct RowPivot {
 pub(super) struct LoopPlan {
     pub bodies: Vec<LoopBody>,
     pub blocks: Vec<Block>,
+    pub relations: Vec<Relation>,
     pub pivots: Vec<RowPivot>,
     /// Fill-in: entries of A without a term of their own that become nonzero in the elimination.
     pub filled_in: Vec<usize>,

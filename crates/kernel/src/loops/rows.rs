@@ -1,8 +1,9 @@
 //! Rows of A, their elimination in the order of the plan, and the rates of the dependent coordinates.
 
-use super::frames::{axis, direction, fill_frames, point};
+use super::frames::{direction, fill_frames, joint_axis, point};
 use super::layout::{FRAME, cross, dot, get, get_vector, minus, plus, size, store, times};
-use super::plan::{Block, BlockRow, BlockTerm, LoopBody, LoopMotion, LoopPlan};
+use super::plan::{Block, BlockRow, BlockTerm, LoopBody, LoopPlan};
+use super::relations::{RelationValues, relation_values};
 use crate::columns::PositionColumns;
 use crate::mechanism::RowForm;
 use crate::tolerances::{FAR_ROUNDINGS, OPEN_ROUNDINGS};
@@ -28,7 +29,7 @@ pub(super) struct LoopResiduals<T> {
 /// Errors of the entries of A, in roundings.
 #[derive(Clone, Copy)]
 pub(super) struct RowRoundings<T> {
-    /// Error from short rods.
+    /// Error from short rods and from the slopes of curves.
     pub rods: T,
     /// Error from open loops. Divided by the pivots, the residual is also an error of the positions, and so of the
     /// entries.
@@ -113,12 +114,20 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
                     rods = rods.max((size(&at) + size(&apart)) * over);
                     add_force_row(plan, block, &rows[0], &times(&apart, over), &at, scratch);
                 }
-                RowForm::Constant => {
+                RowForm::Relation => {
                     let Some(row) = &rows[0] else { continue };
-                    keep!(rows[0], T::zero());
+                    let values = block.relation.map(|number| relation_values::<T>(plan, number, scratch));
+                    let gap = values.map_or(T::zero(), |values| values.residual);
+                    open = open.max(gap.abs());
+                    keep!(rows[0], gap);
                     for (term, entry) in block.terms.iter().zip(&row.entries) {
                         let to = plan.layout.entries + entry;
                         add_entry(term, to, T::one(), scratch);
+                        if let Some(RelationValues { slope, rounding, .. }) = values {
+                            let argument = T::from_f64(-term.argument);
+                            store(scratch, to, argument.mul_add(slope, get(scratch, to)));
+                            rods = rods.max(rounding * T::from_f64(term.argument.abs() / plan.scale));
+                        }
                     }
                 }
             }
@@ -131,22 +140,11 @@ pub(super) fn fill_rows<T: Lanes, const KEPT: bool>(
     }
 }
 
-/// Axis of the joint velocity of a term, root axes.
-#[cfg_attr(not(debug_assertions), inline(always))]
-fn joint_axis<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], scratch: &[f64]) -> [T; 3] {
-    let k = match bodies[term.body].motion {
-        LoopMotion::Ball(_) => term.component,
-        LoopMotion::Floating(_) | LoopMotion::Base => term.component % 3,
-        LoopMotion::Fixed | LoopMotion::Turn(_) | LoopMotion::Slide(_) => 2,
-    };
-    axis(scratch, term.body, k)
-}
-
 /// Axis of the joint velocity of a term, and the vector from its body's origin to the point `at`; root axes.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn lever<T: Lanes>(term: &BlockTerm, bodies: &[LoopBody], at: &[T; 3], scratch: &[f64]) -> ([T; 3], [T; 3]) {
     let place: [T; 3] = get_vector(scratch, FRAME * term.body + 9);
-    (joint_axis(term, bodies, scratch), minus(at, &place))
+    (joint_axis(bodies, term.body, term.component, scratch), minus(at, &place))
 }
 
 /// Entry before a term is added: zero for the first term.
@@ -207,7 +205,7 @@ fn add_moment_row<T: Lanes>(
 ) {
     let Some(row) = row else { return };
     for (term, entry) in block.terms.iter().zip(&row.entries) {
-        let a = joint_axis(term, &plan.bodies, scratch);
+        let a = joint_axis(&plan.bodies, term.body, term.component, scratch);
         let power = if term.slides { T::zero() } else { dot(&a, moment) };
         add_entry(term, plan.layout.entries + entry, power, scratch);
     }

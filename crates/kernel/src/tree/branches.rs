@@ -58,6 +58,10 @@ pub(super) struct Branches {
     pub other: Vec<usize>,
     /// Number of the first steps that both paths share.
     pub shared: usize,
+    /// Indices of the steps from the ground to the body at the end of the line that defines the normal.
+    pub line: Vec<usize>,
+    /// Number of the first steps that this path shares with `path`.
+    pub line_shared: usize,
     /// Role of every step.
     pub roles: Vec<StepRole>,
     /// Changes, and the index of the step before which each happens.
@@ -71,13 +75,21 @@ impl Branches {
             path: Vec::with_capacity(steps),
             other: Vec::with_capacity(steps),
             shared: 0,
+            line: Vec::with_capacity(steps),
+            line_shared: 0,
             roles: vec![StepRole::Unused; steps],
             changes: Vec::with_capacity(steps + 1),
         }
     }
 
-    /// Finds the steps of a contact of two bodies, or of one with the ground.
-    pub fn find(&mut self, steps: &[ScheduledStep], body: Option<usize>, against: Option<usize>) {
+    /// Finds the steps of a contact of two bodies, or of one with the ground. `line`: body at the end of the line that defines the normal.
+    pub fn find(
+        &mut self,
+        steps: &[ScheduledStep],
+        body: Option<usize>,
+        against: Option<usize>,
+        line: Option<Option<usize>>,
+    ) {
         find_path(steps, body, &mut self.path);
         find_path(steps, against, &mut self.other);
         self.shared = self.path.iter().zip(&self.other).take_while(|(a, b)| a == b).count();
@@ -96,6 +108,13 @@ impl Branches {
                     (false, StepRole::Unused) => StepRole::Route,
                     (_, role) => role,
                 };
+            }
+        }
+        find_path(steps, line.flatten(), &mut self.line);
+        self.line_shared = self.path.iter().zip(&self.line).take_while(|(a, b)| a == b).count();
+        for &at in &self.line {
+            if self.roles[at] == StepRole::Unused {
+                self.roles[at] = StepRole::Route;
             }
         }
         self.changes.clear();

@@ -16,12 +16,29 @@ use percuss_spatial::{Transform, splat};
 pub(super) struct TreeContact {
     /// Contact point in the frame of the contact link's body, m.
     pub point: [f64; 3],
-    /// Unit normal.
+    /// Unit normal; for a line its direction as drawn.
     pub normal: [f64; 3],
     pub normal_frame: TreeNormalFrame,
+    /// Line that defines the normal.
+    pub line: Option<TreeLine>,
+    /// True for a moment about the normal in place of a force.
+    pub is_moment: bool,
     /// Points and normals of the rows, which replace the two above.
     pub columns: Option<LaneContacts>,
     pub conversion: ContactConversion,
+}
+
+/// Line from the contact point to a point of a body or of the root link.
+#[derive(Clone, Copy, Debug)]
+pub(super) struct TreeLine {
+    /// Body of the end; `None` for the root link.
+    pub body: Option<usize>,
+    /// End in the frame of its body, m.
+    pub end: [f64; 3],
+    /// Smallest accepted length, m.
+    pub shortest: f64,
+    /// Smallest accepted cosine of the angle between the line and the line as drawn.
+    pub least_cosine: f64,
 }
 
 impl TreeContact {
@@ -64,6 +81,8 @@ impl ContactPath {
             point: [0.0; 3],
             normal: [0.0; 3],
             normal_frame: TreeNormalFrame::Body,
+            line: None,
+            is_moment: false,
             columns: None,
             conversion,
         };
@@ -75,9 +94,9 @@ impl ContactPath {
         }
     }
 
-    /// True for a contact between two bodies, or if the sizes of terms are tracked.
+    /// True for a contact between two bodies or along a line, or if the sizes of terms are tracked.
     pub fn is_general(&self) -> bool {
-        !self.branches.other.is_empty() || self.bound.tracks_sizes
+        !self.branches.other.is_empty() || self.contact.line.is_some() || self.bound.tracks_sizes
     }
 
     /// Selects the steps for a contact of two bodies, or of one with the ground. Allocates nothing.
@@ -89,7 +108,31 @@ impl ContactPath {
         against: Option<usize>,
     ) {
         self.contact = contact;
-        self.branches.find(steps, body, against);
-        self.bound.find((steps, clusters), &self.branches, self.contact.normal_frame);
+        self.branches.find(steps, body, against, self.contact.line.map(|line| line.body));
+        let rotations = self.rotations(steps);
+        self.bound.find((steps, clusters), &self.branches, (rotations, self.contact.is_moment));
     }
+
+    /// Rotations of the normal between the joints; for a line the equivalent number by the rounding of both ends, relative to the
+    /// smallest accepted length.
+    fn rotations(&self, steps: &[ScheduledStep]) -> f64 {
+        let Branches { path, other, shared, line: to_end, line_shared, .. } = &self.branches;
+        if let Some(line) = &self.contact.line {
+            let routes = [&path[*line_shared..], &to_end[*line_shared..]];
+            let reach = routes.into_iter().flatten().map(|&at| steps[at].step.reach).sum::<f64>();
+            let far = reach + size(&self.contact.point) + size(&line.end);
+            return (1 + routes[0].len() + routes[1].len()) as f64 * (1.0 + 2.0 * far / line.shortest);
+        }
+        let rotations = match self.contact.normal_frame {
+            TreeNormalFrame::Body => 0,
+            TreeNormalFrame::Against => path.len() + other.len() - 2 * shared,
+            TreeNormalFrame::Root => path.len(),
+        };
+        rotations as f64
+    }
+}
+
+/// Sum of the magnitudes of the components, m.
+fn size(point: &[f64; 3]) -> f64 {
+    point.iter().map(|x| x.abs()).sum()
 }

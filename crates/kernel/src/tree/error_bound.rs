@@ -3,7 +3,7 @@
 //! At each velocity the recursion subtracts U t/D from the propagated force, with |U_k| ≤ √(I_kk D) for each component k and
 //! Σ t²/D = 1/m̄. The sizes of its terms are therefore at most `a + b √(1/m̄)`, with constants of the contact and the tree.
 
-use super::branches::{Branches, TreeNormalFrame};
+use super::branches::Branches;
 use super::cluster::MimicCluster;
 use super::plan::ScheduledStep;
 use super::propagation::smaller;
@@ -25,9 +25,12 @@ pub(super) struct WrenchSize {
 }
 
 impl WrenchSize {
-    /// Unit force at the contact point, `reach` (m) farther away than the arm.
-    fn unit(reach: f64) -> Self {
-        Self { moment_per_arm: 1.0, moment: reach, force: 1.0, ..Self::default() }
+    /// Unit force at the contact point, `reach` (m) farther away than the arm; or a unit moment.
+    fn unit(reach: f64, is_moment: bool) -> Self {
+        match is_moment {
+            true => Self { moment: 1.0, ..Self::default() },
+            false => Self { moment_per_arm: 1.0, moment: reach, force: 1.0, ..Self::default() },
+        }
     }
 
     fn add(&mut self, other: &Self) {
@@ -146,24 +149,20 @@ impl ErrorBound {
         T::from_f64(ROUTE_ROUNDINGS) * smaller(by_energy, T::from_f64(self.contact_error) * terms)
     }
 
-    /// Finds the bound for a contact.
+    /// Finds the bound for a contact, or for a moment. `rotations`: number of rotations whose rounding the normal has.
     pub fn find(
         &mut self,
         (steps, clusters): (&[ScheduledStep], &[MimicCluster]),
         branches: &Branches,
-        frame: TreeNormalFrame,
+        (rotations, is_moment): (f64, bool),
     ) {
         let Branches { path, other, shared, .. } = branches;
         let route = path.len() + other.len() - 2 * shared;
-        let turns = match frame {
-            TreeNormalFrame::Body => 0,
-            TreeNormalFrame::Against => route,
-            TreeNormalFrame::Root => path.len(),
-        };
         let reach = |path: &[usize]| path[*shared..].iter().map(|&at| steps[at].step.reach).sum::<f64>();
-        let error = |turns: usize| NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * turns as f64;
+        let error = |rotations: f64| NORMAL_ROUNDINGS / ROUTE_ROUNDINGS * rotations;
         // The force on the other body is moved to it from the contact link: twice as many rotations as for a normal alone.
-        let errors = [error(turns), if other.is_empty() { 0.0 } else { error(turns + 2 * route) }];
+        let both = rotations + (2 * route) as f64;
+        let errors = [error(rotations), if other.is_empty() { 0.0 } else { error(both) }];
         self.contact_error = errors[0].max(errors[1]);
         self.reach = reach(path) + reach(other);
         self.amplification = self.find_light_bodies(steps, branches);
@@ -173,7 +172,10 @@ impl ErrorBound {
         for (path, reach, error) in sides {
             let Some(&at) = path.last() else { continue };
             let share = &steps[at].step.share;
-            let power = [error * (reach * share.angular + share.linear), error * share.angular];
+            let power = match is_moment {
+                true => [error * share.angular, 0.0],
+                false => [error * (reach * share.angular + share.linear), error * share.angular],
+            };
             self.contact_constant += power[0];
             self.contact_per_arm += power[1];
             match self.twist_step(at) {
@@ -189,7 +191,7 @@ impl ErrorBound {
         }
         let of_contact = (self.constant, self.per_arm);
         for (path, reach, _) in sides {
-            let mut size = WrenchSize::unit(reach);
+            let mut size = WrenchSize::unit(reach, is_moment);
             for &at in path.iter().rev().take_while(|&&at| branches.roles[at].is_on_path()) {
                 let step = &steps[at].step;
                 let velocities = step.free.iter().filter(|free| **free).count();

@@ -1,7 +1,7 @@
 //! Recursion of a tree in the bodies' own axes, with a fixed or a floating base, in SIMD lanes.
 //!
 //! The kernel returns only results without doubt. All other cases (massless or immovable contacts and contacts near
-//! either, results lost to rounding) are left to the caller, as are loops and contacts along a line.
+//! either, results lost to rounding) are left to the caller, as are loops.
 
 mod branches;
 mod cluster;
@@ -19,12 +19,12 @@ mod workspace;
 
 use crate::aligned::Aligned;
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
-use crate::contact::{BodyContact, Contact, ContactConversion, NormalFrame};
+use crate::contact::{BodyContact, BodyLine, Contact, ContactConversion, NormalFrame, relative_frame};
 use crate::mechanism::Mechanism;
 use crate::tolerances::LANES_TRUSTED_ERROR;
 use branches::{StepRole, TreeNormalFrame};
 use cluster::MimicCluster;
-use contact_path::{ContactPath, TreeContact};
+use contact_path::{ContactPath, TreeContact, TreeLine};
 use percuss_spatial::Transform;
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
 use plan::{ScheduledStep, TreePlan};
@@ -67,7 +67,10 @@ impl TreeKernel {
 
     /// Sets a checked contact; returns false for an unsupported kind. Allocates nothing after the first call.
     pub fn set_contact(&mut self, contact: &Contact) -> bool {
-        let Some(BodyContact { body, against, normal, frame }) = contact.body_contact() else { return false };
+        let Some(BodyContact { body, against, normal, frame, line, is_moment }) = contact.body_contact()
+        else {
+            return false;
+        };
         let last = self.steps.len() - 1;
         let own = |body: usize| self.steps[last - body].step.own.frame;
         let conversion =
@@ -79,14 +82,19 @@ impl TreeKernel {
         };
         let [point, normal] = conversion.convert(&contact.point, &normal);
         let (point, normal) = (point.into(), normal.into());
-        let contact = TreeContact { point, normal, normal_frame, columns: None, conversion };
+        let line = line.map(|BodyLine { end, point, shortest, least_cosine }| {
+            let to_body = relative_frame(&end.body.map_or(Transform::identity(), own), &end.frame);
+            TreeLine { body: end.body, end: to_body.point(&point).into(), shortest, least_cosine }
+        });
+        let contact = TreeContact { point, normal, normal_frame, line, is_moment, columns: None, conversion };
         self.selection.select((&self.steps, &self.clusters), contact, body, against);
         true
     }
 
-    /// Conversion of points and normals to the frames of the kernel, for the current contact.
-    pub fn conversion(&self) -> ContactConversion {
-        self.selection.contact.conversion
+    /// Conversion of points and normals to the frames of the kernel, for the current contact; `None` for a normal along a line.
+    pub fn conversion(&self) -> Option<ContactConversion> {
+        let contact = &self.selection.contact;
+        contact.line.is_none().then_some(contact.conversion)
     }
 
     /// Reads points and normals from columns (`None`: those of the current contact).

@@ -5,7 +5,7 @@ use super::plan::{Shape, TreeMotion, TreeStep};
 use super::workspace::{COSINE, SINE, number};
 use crate::columns::PositionColumns;
 use percuss_spatial::lanes::Lanes;
-use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench, rotation_rows};
+use percuss_spatial::{PackedInertia, PackedTwist, PackedWrench, rotation_rows, turn_vector};
 
 /// Location of the positions of the lanes.
 #[derive(Clone, Copy)]
@@ -26,7 +26,7 @@ impl LanePositions<'_> {
     }
 }
 
-/// Quantity that a change of frame transforms: inertia or wrench.
+/// Quantity that a change of frame transforms: inertia, wrench or point.
 pub(super) trait Transformed<T: Lanes> {
     /// Rotation about and shift along axis `Z`.
     fn screw<const Z: usize>(&mut self, c: T, s: T, d: T);
@@ -64,7 +64,32 @@ macro_rules! transformed {
 transformed!(PackedInertia);
 transformed!(PackedWrench);
 
-/// Transforms an inertia or a wrench to the parent's frame. `joint`: sine and cosine of the angle, or the travel.
+/// Coordinates of a point, m.
+pub(super) struct CarriedPoint<T>(pub [T; 3]);
+
+impl<T: Lanes> Transformed<T> for CarriedPoint<T> {
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn screw<const Z: usize>(&mut self, c: T, s: T, d: T) {
+        turn_vector::<T, Z>(&mut self.0, c, s);
+        self.0[Z] += d;
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn shift<const Z: usize>(&mut self, d: T) {
+        self.0[Z] += d;
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn turn<const Z: usize>(&mut self, c: T, s: T) {
+        turn_vector::<T, Z>(&mut self.0, c, s);
+    }
+    #[cfg_attr(not(debug_assertions), inline(always))]
+    fn rotate(&mut self, rows: &[[T; 3]; 3]) {
+        let [x, y, z] = self.0;
+        let along = |row: &[T; 3]| row[2].mul_add(z, row[1].mul_add(y, row[0] * x));
+        self.0 = [along(&rows[0]), along(&rows[1]), along(&rows[2])];
+    }
+}
+
+/// Transforms an inertia, a wrench or a point to the parent's frame. `joint`: sine and cosine of the angle, or the travel.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn transform_to_parent<T: Lanes>(
     step: &TreeStep,
@@ -112,19 +137,19 @@ pub(super) fn transform_to_parent<T: Lanes>(
     }
 }
 
-/// Expresses a wrench in the parent's frame. Unlike [`transform_to_parent`], this includes the rotation of a planar joint, which the
+/// Expresses a wrench or a point in the parent's frame. Unlike [`transform_to_parent`], this includes the rotation of a planar joint, which the
 /// elimination applies itself.
 #[cfg_attr(not(debug_assertions), inline(always))]
 pub(super) fn express_in_parent<T: Lanes>(
     step: &TreeStep,
-    wrench: &mut PackedWrench<T>,
+    carried: &mut impl Transformed<T>,
     at: LanePositions<'_>,
     joint: &[f64],
 ) {
     if let TreeMotion::Planar { .. } = step.motion {
-        wrench.turn::<2>(number(joint, COSINE), number(joint, SINE));
+        carried.turn::<2>(number(joint, COSINE), number(joint, SINE));
     }
-    transform_to_parent(step, wrench, at, joint);
+    transform_to_parent(step, carried, at, joint);
 }
 
 /// Expresses a wrench of the parent's frame in the body's frame: the inverse of [`express_in_parent`].

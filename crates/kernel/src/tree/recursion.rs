@@ -12,17 +12,19 @@
 
 use super::branches::{Branches, StepRole, TreeNormalFrame};
 use super::cluster::{MimicCluster, eliminate_cluster_joint};
-use super::contact_path::ContactPath;
+use super::contact_path::{ContactPath, TreeLine};
 use super::hinge::eliminate_hinge;
 use super::light_bodies::add_light_body_errors;
-use super::parent_transform::{LanePositions, express_in_body, express_in_parent, transform_to_parent};
+use super::parent_transform::{
+    CarriedPoint, LanePositions, express_in_body, express_in_parent, transform_to_parent,
+};
 use super::plan::{ScheduledStep, Shape, StepForm, TreeMotion, TreeStep, Turn};
 use super::prismatic_leaf;
 use super::propagation::{PropagatedWrench, add_to_parent, smaller, store_wrench, update_wrench};
-use super::workspace::{COSINE, Offsets, SINE, Sizes, TrackedSizes, number, store_moment_size};
+use super::workspace::{COSINE, Offsets, SINE, Sizes, TrackedSizes, number, store_sizes};
 use crate::columns::{PositionColumns, excess_beyond, quaternion_norm_excess};
 use percuss_spatial::lanes::{LARGEST_ANGLE, Lanes};
-use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, turn_vector};
+use percuss_spatial::{PackedInertia, PackedWrench, rotate_back, splat, turn_vector};
 use std::ops::Range;
 
 /// Results of some lanes.
@@ -47,7 +49,7 @@ pub(super) fn evaluate<T: Lanes, const GENERAL: bool>(
     debug_assert!(GENERAL || !selection.is_general(), "a contact for the general evaluation");
     let (beyond, travels): (T, T) = fill_joint_values(steps, selection, columns, first, scratch);
     let at = LanePositions { columns, first };
-    let mut propagated = contact_wrench::<T, GENERAL>(steps, selection, at, scratch);
+    let (mut propagated, refused) = contact_wrench::<T, GENERAL>(steps, selection, at, scratch);
     clusters.iter().for_each(|cluster| cluster.clear::<T>(scratch));
     let Branches { roles, changes, .. } = &selection.branches;
     let mut changes = changes.as_slice();
@@ -90,8 +92,11 @@ pub(super) fn evaluate<T: Lanes, const GENERAL: bool>(
         error = smaller(by_pivots + bound.of_contact(response, arm, propagated.sizes.terms), error);
     }
     let stretch = (travels * T::from_f64(selection.over_travel)).max(T::one());
-    // Angles beyond the range of the sine are marked as doubtful.
-    TreeResponse { response, error: beyond.mul_add(T::from_f64(f64::MAX), error * stretch * stretch) }
+    // Angles beyond the range of the sine, and refused lines, are marked as doubtful.
+    TreeResponse {
+        response,
+        error: (beyond + refused).mul_add(T::from_f64(f64::MAX), error * stretch * stretch),
+    }
 }
 
 /// Stores per joint sine and cosine of its angle, with the constant rotation to the parent added, or its travel (m).
@@ -174,14 +179,15 @@ fn nan_unless_finite<T: Lanes>(columns: PositionColumns<'_>, positions: Range<us
     sum
 }
 
-/// Unit force on the contact link. Stores the opposite force on the body on the other side in the workspace.
+/// Unit force or unit moment on the contact link, and the excess of the line of a normal beyond its limits. Stores the opposite wrench on the
+/// body on the other side in the workspace.
 #[cfg_attr(not(debug_assertions), inline(always))]
 fn contact_wrench<T: Lanes, const GENERAL: bool>(
     steps: &[ScheduledStep],
     selection: &ContactPath,
     at: LanePositions<'_>,
     scratch: &mut [f64],
-) -> PropagatedWrench<T> {
+) -> (PropagatedWrench<T>, T) {
     let (contact, bound) = (&selection.contact, &selection.bound);
     let Branches { path, other, shared, .. } = &selection.branches;
     let mut n: [T; 3] = contact.normals(at);
@@ -204,6 +210,10 @@ fn contact_wrench<T: Lanes, const GENERAL: bool>(
         let placed = &steps[place];
         rotate_to_body(&placed.step, &mut n, at, placed.offsets.joint::<T>(scratch));
     }
+    let mut refused = T::zero();
+    if GENERAL && let Some(line) = &contact.line {
+        (n, refused) = line_direction(steps, selection, line, &n, at, scratch);
+    }
     let arm: T = contact.arms(at);
     let q: [T; 3] = contact.points(at);
     let moment = [
@@ -211,7 +221,10 @@ fn contact_wrench<T: Lanes, const GENERAL: bool>(
         q[2].mul_add(n[0], -(q[0] * n[2])),
         q[0].mul_add(n[1], -(q[1] * n[0])),
     ];
-    let wrench = PackedWrench { moment, force: n };
+    let (wrench, sizes) = match contact.is_moment {
+        true => (PackedWrench { moment: n, force: [T::zero(); 3] }, [T::one(), T::zero()]),
+        false => (PackedWrench { moment, force: n }, [arm, T::one()]),
+    };
     if GENERAL && !other.is_empty() {
         let mut opposite = wrench.scaled(-T::one());
         for &place in path[*shared..].iter().rev() {
@@ -223,10 +236,47 @@ fn contact_wrench<T: Lanes, const GENERAL: bool>(
             express_in_body(&placed.step, &mut opposite, at, placed.offsets.joint::<T>(scratch));
         }
         store_wrench(&opposite, scratch);
-        store_moment_size(arm + T::from_f64(bound.reach), scratch);
+        store_sizes(sizes[0] + sizes[1] * T::from_f64(bound.reach), sizes[1], scratch);
     }
     let tracks_sizes = GENERAL && bound.tracks_sizes;
-    PropagatedWrench { wrench, response: T::zero(), tracks_sizes, sizes: TrackedSizes::new(arm) }
+    let sizes = TrackedSizes::new(sizes[0], sizes[1]);
+    (PropagatedWrench { wrench, response: T::zero(), tracks_sizes, sizes }, refused)
+}
+
+/// Unit vector along a line in the frame of the contact link's body, and the excess of its length and its direction beyond their limits (0
+/// within both). `drawn`: direction as drawn, in the same frame.
+#[cfg_attr(not(debug_assertions), inline(always))]
+fn line_direction<T: Lanes>(
+    steps: &[ScheduledStep],
+    selection: &ContactPath,
+    line: &TreeLine,
+    drawn: &[T; 3],
+    at: LanePositions<'_>,
+    scratch: &[f64],
+) -> ([T; 3], T) {
+    let Branches { path, line: to_end, line_shared, .. } = &selection.branches;
+    // Both ends in the frame of the first body that carries both.
+    let mut from = CarriedPoint::<T>(selection.contact.points(at));
+    let mut to = CarriedPoint::<T>(splat(&line.end));
+    for &place in path[*line_shared..].iter().rev() {
+        let placed = &steps[place];
+        express_in_parent(&placed.step, &mut from, at, placed.offsets.joint::<T>(scratch));
+    }
+    for &place in to_end[*line_shared..].iter().rev() {
+        let placed = &steps[place];
+        express_in_parent(&placed.step, &mut to, at, placed.offsets.joint::<T>(scratch));
+    }
+    let mut n = [to.0[0] - from.0[0], to.0[1] - from.0[1], to.0[2] - from.0[2]];
+    for &place in &path[*line_shared..] {
+        let placed = &steps[place];
+        rotate_to_body(&placed.step, &mut n, at, placed.offsets.joint::<T>(scratch));
+    }
+    let length = n[2].mul_add(n[2], n[1].mul_add(n[1], n[0] * n[0])).sqrt();
+    let over = T::one() / length;
+    let n = [n[0] * over, n[1] * over, n[2] * over];
+    let cosine = n[2].mul_add(drawn[2], n[1].mul_add(drawn[1], n[0] * drawn[0]));
+    let (short, aside) = (T::from_f64(line.shortest) - length, T::from_f64(line.least_cosine) - cosine);
+    (n, short.max(T::zero()) + aside.max(T::zero()))
 }
 
 /// Vector from the parent's frame to the body's.

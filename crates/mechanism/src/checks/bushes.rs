@@ -73,7 +73,7 @@ fn resolve(
 ) -> Result<Bush, Problem> {
     let unknown = |link: &str| Problem::UnknownLink { role: "bush", link: link.to_owned(), near: Vec::new() };
     let link = mechanism.find_link(&description.link).map_err(|_| unknown(&description.link))?;
-    let against = mechanism.find_link(&description.against).ok();
+    let against = mechanism.link_named(&description.against);
     let mut bush =
         Bush { description: description.clone(), link, against, joints: Vec::new(), closures: Vec::new() };
     for name in &description.replaces {

@@ -52,7 +52,7 @@ pub(crate) fn check(
 /// Adds the checked contacts to the mechanism.
 pub(crate) fn attach(mechanism: &mut Mechanism, contacts: &[ContactDescription]) {
     let found = contacts.iter().filter_map(|contact| {
-        let against = mechanism.find_link(&contact.against).ok();
+        let against = mechanism.link_named(&contact.against);
         Some(NamedContact {
             name: contact.name.clone(),
             kind: contact.kind,

@@ -2,9 +2,8 @@
 
 use crate::thresholds::SPEED_ROUNDING;
 use nalgebra::{DMatrix, DVector, Vector3};
-use percuss_dynamics::{Contact, Pose, Travel};
+use percuss_dynamics::{Contact, DeterminedSystem, Pose, Travel};
 use percuss_mechanism::{JointId, LinkId};
-use percuss_suspension::kinematics::DeterminedSystem;
 
 /// Closing speed of a contact, m/s, if each travel has its rate (m/s) and the joints `held` do not move.
 ///

@@ -12,10 +12,9 @@
 //! The coordinates of the mechanism do not enter: the rows depend on the frames of the links alone. Source: Shabana,
 //! *Dynamics of Multibody Systems*, 2013, §3.3 (constraint Jacobian and its quadratic velocity terms).
 
-use crate::kinematics::determined_system::DeterminedSystem;
 use crate::kinematics::wheel_points::RACK;
 use nalgebra::{DMatrix, DVector, Vector3};
-use percuss_dynamics::Pose;
+use percuss_dynamics::{DeterminedSystem, Pose};
 use percuss_mechanism::{ClosureKind, JointKind, LinkId, LoopFrame, Mechanism};
 
 /// Point in the world, m, on a link; `None` is the ground.

@@ -4,7 +4,6 @@
 //! [`SuspensionParts::values`] computes all quantities at a pose, with loads also those of the bushes. Angles and axes: ISO 8855 and SAE J670, in the vehicle's axes.
 
 mod compliance;
-mod determined_system;
 mod force_element;
 mod linkage_motion;
 mod loads;
@@ -14,7 +13,6 @@ mod values;
 mod wheel;
 mod wheel_points;
 
-pub use determined_system::DeterminedSystem;
 pub use force_element::ForceElement;
 pub use linkage_motion::MotionError;
 pub use loads::{AntiRollBar, ComplianceLoads, LoadCase, LoadedWheels};

@@ -48,7 +48,7 @@ impl SuspensionParts {
     /// [`MissingWheel`]: no link of a wheel centre, or no joint of its spin.
     pub fn new(drawn: Pose, origin: &Understood) -> Result<Self, MissingWheel> {
         let mechanism = &**drawn.mechanism();
-        let rack = mechanism.find_joint(RACK).ok();
+        let rack = mechanism.joint_named(RACK);
         let wheels = wheels(mechanism, &drawn)?;
         let mut steering_points = Vec::new();
         for wheel in &wheels {

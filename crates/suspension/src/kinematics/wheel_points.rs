@@ -44,12 +44,12 @@ fn links_of_side(mechanism: &Mechanism, link: &str, name: &str) -> Vec<LinkId> {
     let side = SIDES.into_iter().find(|side| name.ends_with(side));
     let sides = SIDES.into_iter().filter(|known| side.is_none_or(|side| side == *known));
     let names = [""].into_iter().chain(sides).map(|end| format!("{link}{end}"));
-    names.filter_map(|name| mechanism.find_link(&name).ok()).collect()
+    names.filter_map(|name| mechanism.link_named(&name)).collect()
 }
 
 /// Rack of an imported suspension, if it slides; other models may have a joint of this name.
 pub fn sliding_rack(mechanism: &Mechanism) -> Option<JointId> {
-    let rack = mechanism.find_joint(RACK).ok()?;
+    let rack = mechanism.joint_named(RACK)?;
     let slides = mechanism.joint(rack).kind() == JointKind::Prismatic;
     (slides && !wheel_centres(mechanism, "").is_empty()).then_some(rack)
 }

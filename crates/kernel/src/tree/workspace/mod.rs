@@ -8,4 +8,4 @@ mod tracked_sizes;
 pub(super) use energy_share::EnergyShare;
 pub(super) use layout::{COSINE, Offsets, Places, SINE, SIZES, TWIST, layout, number};
 pub(super) use sizes::Sizes;
-pub(super) use tracked_sizes::{TrackedSizes, store_moment_size, stored_sizes};
+pub(super) use tracked_sizes::{TrackedSizes, store_sizes, stored_sizes};

@@ -26,18 +26,18 @@ fn store<T: Lanes>(x: T, at: usize, scratch: &mut [f64]) {
     x.store(&mut scratch[at * T::WIDTH..]);
 }
 
-/// Stores the size of the moment (N·m) of the stored unit force.
+/// Stores the sizes of the moment (N·m) and of the force (N) of the stored wrench.
 #[cfg_attr(not(debug_assertions), inline(always))]
-pub(in super::super) fn store_moment_size<T: Lanes>(moment: T, scratch: &mut [f64]) {
+pub(in super::super) fn store_sizes<T: Lanes>(moment: T, force: T, scratch: &mut [f64]) {
     store(moment, STORED_MOMENT, scratch);
-    store(T::one(), STORED_FORCE, scratch);
+    store(force, STORED_FORCE, scratch);
 }
 
 impl<T: Lanes> TrackedSizes<T> {
-    /// Sizes of a unit force with a moment of the given size, N·m.
+    /// Sizes of a wrench, N·m and N.
     #[cfg_attr(not(debug_assertions), inline(always))]
-    pub fn new(moment: T) -> Self {
-        Self { moment, force: T::one(), terms: T::zero(), loss: T::one(), power: T::zero() }
+    pub fn new(moment: T, force: T) -> Self {
+        Self { moment, force, terms: T::zero(), loss: T::one(), power: T::zero() }
     }
 
     /// Exchanges the sizes with those of the stored force.

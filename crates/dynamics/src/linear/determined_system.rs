@@ -1,9 +1,10 @@
 //! Consistent systems of linear equations with a unique solution.
 
-use crate::limits::UNDETERMINED_MOTION;
+use crate::tolerances::UNDETERMINED_MOTION;
 use nalgebra::{ColPivQR, DMatrix, DVector, Dyn};
 
-/// Rows that determine a motion: matrix of full column rank, factorised by Householder QR with column pivoting.
+/// Rows that determine a motion: matrix of full column rank, factorised by Householder QR with column pivoting. Cost: O(rows · columns²).
+/// Source: Golub and Van Loan 2013, §5.4.2.
 #[derive(Debug)]
 pub struct DeterminedSystem {
     matrix: DMatrix<f64>,
