@@ -157,6 +157,20 @@ class Tally:
     worst: dict[str, float] = field(default_factory=dict)
     ratios: dict[str, list[float]] = field(default_factory=dict)
     failures: list[str] = field(default_factory=list)
+    #: Finite results of batches with a stated error.
+    in_batches: int = 0
+
+    def judge_batch(self, name: str, problem: Problem, truth: Any) -> None:
+        """The same problem in a batch, unless rows of A may count as rounding there."""
+        M, A, j = problem.arrays
+        sizes = abs(A.astype(float)).max(axis=1, initial=0.0)
+        if len(A) and sizes.min() < 1e-10 * sizes.max():
+            return
+        (mass,), (error,), (status,) = percuss.effective_masses(M[None], j, A)
+        if status == percuss.Status.FINITE and np.isfinite(error):
+            self.in_batches += 1
+            if abs(gmpy2.mpfr(float(mass)) - truth) > error:
+                self.failures.append(f"{name}: in a batch {mass} ± {error:.2e}, truly {float(truth)}")
 
     def judge(self, number: int, problem: Problem) -> None:
         outcome, truth = solved(problem)
@@ -176,6 +190,8 @@ class Tally:
         if len(A) - len(problem.A) != len(found.rank["redundant_rows"]):
             self.failures.append(f"{name}: rank {found.rank}, {len(problem.A)} independent rows")
             return
+        if outcome == "finite":
+            self.judge_batch(name, problem, truth)
         if outcome == "finite" and found.status == "finite":
             if found.error is None:
                 what += " without a stated error"
