@@ -458,6 +458,8 @@ pub(crate) const MOST_REGULAR: usize = 32;
 pub(crate) const REGULAR_ACCURACY: f64 = 1e-7;
 /// Least diagonal entry of M in the quick solution; its inverse does not overflow.
 pub(crate) const LEAST_DIAGONAL: f64 = 1e-90;
+/// Least diagonal entry of M in the quick solution, as a multiple of the noise of a coordinate without mass ([`MATRIX_NOISE`]).
+pub(crate) const CLEAR_MASS: f64 = 1e3;
 /// Least part of the rows across each other, as a product of ratios, in the quick solution. Singular values are then above 6e-4, far
 /// from [`RANK_FLOOR`] and [`NEARLY_IMMOVABLE`].
 pub(crate) const CLEAR_ROWS: f64 = 1e-3;

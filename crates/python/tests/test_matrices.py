@@ -69,6 +69,13 @@ def test_every_form_is_the_same(seed: int) -> None:
         assert other.effective_mass == plain.effective_mass and np.array_equal(other.velocity, plain.velocity)
 
 
+def test_a_coordinate_with_negligible_mass_is_massless_in_batches() -> None:
+    M = np.stack([np.diag([1.0, mass]) for mass in (1e-3, 1e-11, 1e-18)])
+    batch = percuss.effective_masses(M, [0.0, 1.0])
+    alone = [percuss.effective_mass(one, [0.0, 1.0]).status for one in M]
+    assert [percuss.Status(code).name.lower() for code in batch.status] == alone == ["finite", "finite", "massless"]
+
+
 def test_batches() -> None:
     families = [family(seed, 6, 2) for seed in range(700)]
     M, j, A = (np.array(parts) for parts in zip(*families))

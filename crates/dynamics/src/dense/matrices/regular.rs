@@ -2,8 +2,8 @@
 
 use super::{MatrixOptions, MatrixView};
 use crate::tolerances::{
-    CLEAR_ROWS, LARGEST_ENTRY, LEAST_DIAGONAL, MOST_REGULAR, REGULAR_ACCURACY, REGULAR_LOSS, SECOND_ORDER,
-    SIMILAR_ROWS, SUM_ROUNDINGS, SYMMETRIC,
+    CLEAR_MASS, CLEAR_ROWS, LARGEST_ENTRY, LEAST_DIAGONAL, MATRIX_NOISE, MOST_REGULAR, REGULAR_ACCURACY,
+    REGULAR_LOSS, SECOND_ORDER, SIMILAR_ROWS, SUM_ROUNDINGS, SYMMETRIC,
 };
 
 /// Workspace for m̄ of many small problems (M, j, A) with a regular M and clearly independent rows of A.
@@ -57,7 +57,14 @@ impl RegularMatrices {
         }
         let [of_mass, of_constraints, of_row] = accuracies.map(|own| own.max(f64::EPSILON));
         let roundings = SUM_ROUNDINGS * n as f64 * f64::EPSILON;
-        let of_mass = of_mass + self.factorise(mass, n)? + roundings;
+        let asymmetry = self.factorise(mass, n)?;
+        let extremes = |(least, most): (f64, f64), scale: &f64| (scale.min(least), scale.max(most));
+        let (least, most) = self.scales.iter().fold((f64::INFINITY, 0.0), extremes);
+        // Coordinates whose masses are noise of others have none.
+        if (least / most).powi(2) < CLEAR_MASS * MATRIX_NOISE * of_mass {
+            return None;
+        }
+        let of_mass = of_mass + asymmetry + roundings;
         let condition = n as f64 * self.invert(n);
         self.read_rows(row, constraints, n, m)?;
         let clear = self.orthonormalise_rows(n, m)?;
