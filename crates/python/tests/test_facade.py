@@ -82,6 +82,16 @@ def test_everything_of_python_stands_on_the_page() -> None:
         assert re.search(rf"\b{name}\b", text), f"{name} stands on neither page"
 
 
+@pytest.mark.parametrize("name", percuss._MOVED)
+def test_a_name_that_has_moved_warns(name: str) -> None:
+    expected: object = percuss
+    for part in percuss._MOVED[name].split("."):
+        expected = getattr(expected, part)
+    with pytest.warns(DeprecationWarning, match=percuss._MOVED[name]):
+        assert getattr(percuss, name) is expected
+    assert name not in percuss.__all__
+
+
 def test_the_citation_has_the_version() -> None:
     cited = re.search(r"^version: (\S+)$", (ROOT / "CITATION.cff").read_text(), flags=re.M)
     assert cited is not None and cited[1] == percuss.__version__

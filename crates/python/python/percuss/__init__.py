@@ -204,3 +204,6 @@ def _model(text: bytes, name: str, accept: list[str]) -> Model:
 def _sweep(parts: dict[str, _Any]) -> _Sweep:
     """Rebuilds a pickled sweep."""
     return _sweep_of_parts(parts)
+
+
+del annotations
