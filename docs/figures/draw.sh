@@ -30,5 +30,7 @@ drawing models/massless_arm_suspension.toml $figures/massless-arms.svg
 # shellcheck disable=SC2086 # several flags
 "$percuss" sweep models/suspensions/double-wishbone.toml $stop --vary travel:wheel_centre:0,0,0:0,0,1=-50mm:50mm:21 \
   --unit mm --output $figures/travel.svg --title "Effective mass at the bump stop" --force
+"$percuss" response models/suspensions/double-wishbone-bushes.toml $stop --frequency 1:2000Hz:400 --output $figures/apparent-mass.svg \
+  > "$work/printed"
 "$percuss" sweep models/six_r_arm.urdf --link tool --point 0.08,0,0 --normal 0,0,-1 --normal-frame world \
   --set shoulder=-40deg --vary elbow=0deg:110deg:45 --output $figures/arm.svg --title "Tool pressed down" --force
