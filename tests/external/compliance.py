@@ -24,6 +24,8 @@ from scipy.optimize import brentq
 
 # Limits and residual compliance; frequencies; receptance; impacts. Both programs solve systems of condition up to 1e5 in double precision.
 LIMITS, FREQUENCY, RECEPTANCE, IMPACT = 1e-9, 1e-9, 1e-8, 1e-8
+# Peaks of ideal joints are sampled here, in 6000 points of the contact.
+BEARING = 1e-3
 # Exudyn has unit quaternions and a numerical Jacobian of its constraints.
 EXUDYN = 1e-7
 AXES = np.eye(3)
@@ -148,8 +150,8 @@ class Case:
         for i, link in enumerate(self.links):
             mass[6 * i:6 * i + 3, 6 * i:6 * i + 3] = link["inertia"]
             mass[6 * i + 3:6 * i + 6, 6 * i + 3:6 * i + 6] = link["mass"] * np.eye(3)
-        ideal, elastic, rotor = [], [], 6 * len(self.links)
-        for joint in self.joints:
+        ideal, elastic, labels, rotor = [], [], [], 6 * len(self.links)
+        for number, joint in enumerate(self.joints):
             if joint["bush"]:
                 continue
             z = joint["axis"]
@@ -158,6 +160,7 @@ class Case:
             rows = self.rows((joint["child"], joint["parent"]), joint["at"], np.column_stack([x, np.cross(z, x), z]))
             held = {"revolute": [0, 1, 3, 4, 5], "prismatic": [0, 1, 2, 3, 4], "spherical": [3, 4, 5], "fixed": range(6)}[joint["kind"]]
             ideal += [rows[r] for r in held]
+            labels += [f"j{number}" if r > 2 else "" for r in held]
             if joint["gear"]:
                 inertia, k, c = joint["gear"]
                 mass[rotor, rotor] = inertia
@@ -165,18 +168,21 @@ class Case:
                 twist[rotor] = -1
                 elastic.append((twist, k, c, 0.0, True))
                 rotor += 1
-        for loop in self.loops:
+        for number, loop in enumerate(self.loops):
             if not loop["bush"]:
                 ideal += list(self.rows(loop["links"], loop["at"], AXES)[3:])
+                labels += [f"c{number}"] * 3
         for bush in self.bushes:
             rows = self.rows(bush["links"], bush["at"], bush["frame"])
             elastic += [(row, k, c, bush["loss"], bool(r)) for row, k, c, r in zip(rows, bush["k"], bush["c"], bush["rigid"]) if k > 0]
         ideal = np.array(ideal).reshape(-1, n)
+        self.full = (mass, ideal, labels)
         j = np.zeros(n)
         arm = self.point - self.links[self.link]["com"]
         j[6 * self.link:6 * self.link + 3] = np.cross(arm, self.normal)
         j[6 * self.link + 3:6 * self.link + 6] = self.normal
         basis = null_space(ideal, rcond=1e-12) if len(ideal) else np.eye(n)
+        self.maximal = (j, elastic, basis)
         return basis.T @ mass @ basis, j @ basis, [(row @ basis, k, c, eta, r) for row, k, c, eta, r in elastic]
 
     def answer(self, omegas, stiffnesses):
@@ -236,6 +242,33 @@ class Case:
         return out
 
 
+    def bearings(self, stiffness):
+        """Largest forces of the ideal joints in an impact without damping: maximal coordinates, forces of the rows by least squares, sampled."""
+        mass, j, elastic = self.matrices()
+        whole_mass, ideal, labels = self.full
+        j6, elastic6, basis = self.maximal
+        rigid = null_space(np.array([e[0] for e in elastic if e[4]]), rcond=1e-11)
+        jr, mr = j @ rigid, rigid.T @ mass @ rigid
+        start = rigid @ np.linalg.solve(mr, jr) / (jr @ np.linalg.solve(mr, jr))
+        k = sum(e[1] * np.outer(e[0], e[0]) for e in elastic)
+        s, v = eigh(k + stiffness * np.outer(j, j), mass)
+        w = np.sqrt(np.clip(s, 0, None))
+        amplitude = v.T @ mass @ start
+        moving = w > 1e-6 * w.max()
+        times = np.linspace(0, self.end, 6001)
+        wave = np.where(moving[:, None], np.sin(np.outer(w, times)) / np.where(moving, w, 1)[:, None], times)
+        z = v @ (amplitude[:, None] * wave)
+        acceleration = v @ (amplitude[:, None] * -(np.where(moving, s, 0)[:, None] * wave))
+        u = basis @ z
+        supplied = whole_mass @ basis @ acceleration + np.outer(j6, stiffness * (j6 @ u))
+        supplied += sum(np.outer(e[0], e[1] * (e[0] @ u)) for e in elastic6)
+        forces = np.linalg.lstsq(ideal.T, supplied, rcond=None)[0]
+        assert np.linalg.norm(ideal.T @ forces - supplied) <= 1e-6 * np.linalg.norm(supplied)
+        names = sorted(set(labels) - {""})
+        size = lambda name: np.sqrt((forces[[label == name for label in labels]] ** 2).sum(axis=0)).max()
+        return {name: size(name) for name in names}
+
+
 def run(percuss, words):
     found = subprocess.run([percuss, *words, "--format", "json"], capture_output=True, text=True)
     return json.loads(found.stdout) if found.stdout.startswith("{") else found.stderr
@@ -292,6 +325,17 @@ def compare(percuss, case, folder):
             if impact is None or impact["e"] < 0.02 or got is None or got["duration"] is None:
                 continue
             case.impacts = getattr(case, "impacts", 0) + 1
+            if stiffness == stiffnesses[1] and len(case.full[1]) and np.linalg.matrix_rank(case.full[1]) == len(case.full[1]):
+                words = ["impact", *contact, "--speed", "1", "--stiffness", f"{stiffness / 1e3!r}N/mm", "--restitution", "1", "--in-time", "--compliance"]
+                report = run(percuss, words)
+                elements = [] if isinstance(report, str) else report["in_time"]["compliant"]["elements"]
+                case.end = impact["duration"]
+                bearings = case.bearings(stiffness)
+                largest = max(bearings.values())
+                for name, force in bearings.items():
+                    of = [one["peak_force"] for one in elements if one["element"] == name and one["direction"] is None]
+                    close(f"force of {name}", of[0] if of else None, force, BEARING, largest)
+                    case.bearings_compared = getattr(case, "bearings_compared", 0) + 1
             for key, name in (("impulse_mass",) * 2, ("force_mass",) * 2, ("restitution", "e"), ("duration",) * 2):
                 close(f"{key} at {stiffness}", got[key], impact[name], IMPACT)
     return wrong
@@ -347,12 +391,13 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--exudyn", action="store_true")
     args = parser.parse_args()
-    passed, failed, impacts = 0, 0, 0
+    passed, failed, impacts, bearings = 0, 0, 0, 0
     with tempfile.TemporaryDirectory() as folder:
         for number in range(args.count):
             case = Case(np.random.default_rng([args.seed, number]), plain=number % 3 == 0)
             wrong = compare(args.percuss, case, Path(folder))
             impacts += getattr(case, "impacts", 0)
+            bearings += getattr(case, "bearings_compared", 0)
             passed, failed = passed + (not wrong), failed + bool(wrong)
             for line in wrong[:6]:
                 print(f"case {number}: {line}")
@@ -371,7 +416,7 @@ def main():
             passed, failed = passed + (not wrong), failed + bool(wrong)
             worst = max(abs(a / b - 1) for a, b in pairs)
             print(f"Exudyn, case {number}: {len(pairs)} frequencies, largest difference {worst:.1e}")
-    print(f"{impacts} impacts; {passed} passed, {failed} failed")
+    print(f"{impacts} impacts, {bearings} bearings; {passed} passed, {failed} failed")
     sys.exit(failed > 0)
 
 

@@ -25,6 +25,7 @@ pub use analysis::certificate::{
     RangeProof,
 };
 pub use analysis::compliance::elements::{ElasticDirection, ElementMotion, LinearElement};
+pub use analysis::compliance::joint_forces::JointForce;
 pub use analysis::compliance::modes::Mode;
 pub use analysis::compliance::residual::{ResidualCompliance, RowShare};
 pub use analysis::compliance::response::Receptance;

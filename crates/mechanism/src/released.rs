@@ -1,6 +1,6 @@
 //! The mechanism whose bushes move.
 
-use crate::{JointKind, Mechanism};
+use crate::{Closure, Coupling, Joint, JointKind, Mechanism};
 use percuss_spatial::Transform;
 use std::collections::HashMap;
 
@@ -41,11 +41,17 @@ impl Mechanism {
         let replaced =
             |i: usize| self.bushes.iter().any(|bush| bush.closures.iter().any(|id| id.index() == i));
         let closures = self.closures.iter().enumerate().filter(|(i, _)| !replaced(*i));
+        let closures = closures.map(|(_, closure)| closure.clone()).collect();
+        self.with_parts(joints, closures, couplings)
+    }
+
+    /// Mechanism with the same links and other joints, closures and couplings.
+    fn with_parts(&self, joints: Vec<Joint>, closures: Vec<Closure>, couplings: Vec<Coupling>) -> Mechanism {
         Mechanism {
             name: self.name.clone(),
             links: self.links.clone(),
             joints,
-            closures: closures.map(|(_, closure)| closure.clone()).collect(),
+            closures,
             couplings,
             contacts: self.contacts.clone(),
             bushes: self.bushes.clone(),
@@ -57,5 +63,16 @@ impl Mechanism {
             joint_by_name: self.joint_by_name.clone(),
             characteristic_length: self.characteristic_length,
         }
+    }
+
+    /// Mechanism whose joints are all floating, without closures and couplings.
+    pub fn disjointed(&self) -> Mechanism {
+        let mut joints = self.joints.clone();
+        for joint in &mut joints {
+            joint.kind = JointKind::Floating;
+            joint.armature = vec![0.0; JointKind::Floating.dofs()];
+            (joint.mimic, joint.limits) = (None, None);
+        }
+        self.with_parts(joints, Vec::new(), Vec::new())
     }
 }

@@ -58,14 +58,14 @@ pub use percuss_dynamics::{
     ContactResponse, ContactStatus, Contributions, DenseReason, DepartingAxis, DeterminedSystem, Direction,
     DrawnGap, DrivenPath, EffectiveMass, ElasticDirection, ElasticInput, ElasticMotion, ElasticOutput,
     ElasticRowOutput, ElasticSystem, ElementMotion, ErrorBudget, ExtremeBracket, ExtremesCertificate, Frame,
-    Gap, GivenPositions, InverseOperationalInertia, LayoutError, LinearElement, Load, LocatedContact,
-    LoopState, LowestPoint, MapAnswers, MapError, MassCertificate, MassGradient, MatrixError, MatrixName,
-    MatrixOptions, MatrixResponse, MatrixView, Mode, NoCertificate, PathAnswer, PointForce, PointVelocity,
-    Pose, PoseRank, PrincipalMass, RangeProof, Receptance, RegularMatrices, Remark, RemarkFlags,
-    ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice, RouteError, RowAnswer,
-    RowColumns, RowHandler, RowPath, RowResults, RowShare, Singularity, StateSizeError, StaticDisplacement,
-    StaticSystem, System, Travel, TravelError, Workspace, WorkspaceResponse, effective_mass, input,
-    interruption,
+    Gap, GivenPositions, InverseOperationalInertia, JointForce, LayoutError, LinearElement, Load,
+    LocatedContact, LoopState, LowestPoint, MapAnswers, MapError, MassCertificate, MassGradient, MatrixError,
+    MatrixName, MatrixOptions, MatrixResponse, MatrixView, Mode, NoCertificate, PathAnswer, PointForce,
+    PointVelocity, Pose, PoseRank, PrincipalMass, RangeProof, Receptance, RegularMatrices, Remark,
+    RemarkFlags, ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice,
+    RouteError, RowAnswer, RowColumns, RowHandler, RowPath, RowResults, RowShare, Singularity,
+    StateSizeError, StaticDisplacement, StaticSystem, System, Travel, TravelError, Workspace,
+    WorkspaceResponse, effective_mass, input, interruption,
 };
 #[cfg(feature = "urdf-rs")]
 #[doc(no_inline)]

@@ -3,7 +3,7 @@
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use percuss_render::{Figure, Panel, Series, Style};
-use percuss_study::{KinematicColumn, KinematicsReport};
+use percuss_study::{KinematicColumn, KinematicLoads, KinematicsReport};
 use percuss_suspension::LengthUnit;
 use std::path::Path;
 
@@ -95,10 +95,16 @@ pub fn kinematics_figure(report: &KinematicsReport, selected: bool) -> Result<Fi
             panels.len()
         )));
     }
+    let has_loads = report.columns.iter().any(|column| column.quantity.contains("_per_"));
+    let loads = report.loads.as_ref().filter(|_| has_loads).map(KinematicLoads::wheels_text);
     let file = report.inputs.first().and_then(|input| Path::new(&input.path).file_name());
     Ok(Figure {
         title: "Kinematics".to_owned(),
-        subtitle: file.map_or_else(String::new, |name| name.to_string_lossy().into_owned()),
+        subtitle: [file.map(|name| name.to_string_lossy().into_owned()), loads]
+            .into_iter()
+            .flatten()
+            .collect::<Vec<_>>()
+            .join(" · "),
         x_label: format!("{variable} ({})", report.length_unit.name()),
         panels,
         ..Figure::default()

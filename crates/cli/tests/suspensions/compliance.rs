@@ -271,6 +271,16 @@ fn stiff_bushes_leave_the_rigid_impact() {
             value(found, name)
         );
     }
+    // The forces of the ideal joints are those of the rigid impact.
+    let reactions = report["reactions"].as_array().expect("reactions");
+    for name in ["lower_ball", "upper_ball", "tie_rod_ball", "spin"] {
+        let named = |one: &&Value| one["name"] == name || one["element"] == name;
+        let rigid = reactions.iter().find(named).unwrap_or_else(|| panic!("{name}"))["peak_force"].as_array();
+        let squares = rigid.expect("a force").iter().map(|part| part.as_f64().expect("a number").powi(2));
+        let elements = found["elements"].as_array().expect("elements");
+        let elastic = value(elements.iter().find(named).unwrap_or_else(|| panic!("{name}")), "peak_force");
+        assert!((elastic / squares.sum::<f64>().sqrt() - 1.0).abs() < 1e-5, "{name}: {elastic}");
+    }
     let bush =
         found["elements"].as_array().expect("elements").iter().find(|one| one["element"] == "lower_front");
     let bearing = value(bush.expect("a bush"), "peak_force");

@@ -661,13 +661,13 @@ class DriveRecord(Record):
 
 
 class ElementForceRecord(Record):
-    """Largest force of a bush, a spring, a damper, a tyre or a gear."""
+    """Largest force of a bush, a spring, a damper, a tyre, a gear or an ideal joint."""
 
     element: str
-    """The bush, spring, damper, tyre, anti-roll bar, drive or joint."""
+    """The bush, spring, damper, tyre, anti-roll bar or drive; the joint or loop of a gear or of an ideal bearing."""
     direction: str | None
     """Direction in the bush: "radial x", "radial y", "axial", "conical x", "conical y", "torsional"; "motion" of a spring or
-    damper, "twist" of a gear; None for the magnitude of the force of a bush."""
+    damper, "twist" of a gear; None for the magnitude of the force of a bush or of an ideal joint."""
     unit: str
     """"N", or "N·m" for a moment."""
     peak_force: float

@@ -109,7 +109,7 @@ fn elements(found: &CompliantImpactRecord, all: bool) -> (Table, String) {
     });
     let most = if all { usize::MAX } else { MODES_SHOWN };
     let left = shown.len().saturating_sub(most);
-    let mut table = Table::new(["bush, spring, gear", "peak", "", "at ms", "after the contact"]);
+    let mut table = Table::new(["bush, bearing, spring, gear", "peak", "", "at ms", "after the contact"]);
     for element in shown.into_iter().take(most) {
         table.row([
             TableCell::from(name(element)),

@@ -5,6 +5,7 @@
 //! Structural Dynamics, 2006, §12 (inertia relief, residual flexibility); cited from memory.
 
 pub(crate) mod elements;
+pub(crate) mod joint_forces;
 pub(crate) mod modes;
 pub(crate) mod residual;
 pub(crate) mod response;

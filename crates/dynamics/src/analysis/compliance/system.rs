@@ -31,6 +31,7 @@ pub struct ElasticSystem {
     pub(super) basis: DMatrix<f64>,
     pub(super) mass: DMatrix<f64>,
     pub(super) contact: DVector<f64>,
+    pub(super) located: LocatedContact,
     /// Rows of the elements over z, without ideal rows.
     pub(super) rows: Vec<ElasticRow>,
     /// Springs and dampers beside the bushes.
@@ -118,11 +119,7 @@ impl ElasticSystem {
             |row: &DVector<f64>| DVector::from_fn(n, |c, _| if c < own { row[c] * scale[c] } else { 0.0 });
         let mut mass = DMatrix::zeros(n, n);
         mass.view_mut((0, 0), (own, own)).copy_from(&model.mass_matrix(&kinematics));
-        let mut row = vec![0.0; model.velocity_coordinates.len()];
-        for entry in model.contact_row(&kinematics, contact).entries {
-            row[entry.velocity] = entry.value;
-        }
-        let mut closing = extended(&DVector::from_vec(model.reduce_vector(&row, |multiplier| multiplier)));
+        let mut closing = extended(&closing_row(&model, &kinematics, contact));
         if let Some(other_mass) = other_mass {
             mass[(other, other)] = other_mass;
             closing[other] = 1.0;
@@ -158,6 +155,7 @@ impl ElasticSystem {
         Ok(Self {
             mass: basis.tr_mul(&mass) * &basis,
             contact: basis.tr_mul(&closing),
+            located: *contact,
             basis: DMatrix::from_fn(own, basis.ncols(), |r, c| scale[r] * basis[(r, c)]),
             rows: elastic,
             elements: elements.to_vec(),
@@ -186,6 +184,15 @@ impl ElasticSystem {
             self.rows.iter().filter(|row| is_wanted(row)).map(|row| row.row.clone()).collect();
         stacked(&rows, self.contact.len())
     }
+}
+
+/// Closing speed of a contact per velocity of each coordinate.
+pub(super) fn closing_row(model: &Model, kinematics: &Kinematics, contact: &LocatedContact) -> DVector<f64> {
+    let mut row = vec![0.0; model.velocity_coordinates.len()];
+    for entry in model.contact_row(kinematics, contact).entries {
+        row[entry.velocity] = entry.value;
+    }
+    DVector::from_vec(model.reduce_vector(&row, |multiplier| multiplier))
 }
 
 /// Rows of the bushes and elements over the coordinates of the released model; `drawn`: its pose as drawn.

@@ -5,6 +5,8 @@ use super::residual::{solve_positive, solve_positive_columns};
 use super::response::symmetric_eigen;
 use super::system::{ComplianceError, ElasticSystem};
 use crate::analysis::pose::Pose;
+use crate::kinematics::frames::Kinematics;
+use crate::model::Model;
 use crate::tolerances::NO_INERTIA;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_mechanism::LinkId;
@@ -83,17 +85,17 @@ pub struct ElasticMotion {
     pub highest_frequency: f64,
     /// Number of coordinates a.
     masses: usize,
-    coordinates: ElasticCoordinates,
+    pub(super) coordinates: ElasticCoordinates,
     /// State per coordinates z and per velocities ż.
     state: [DMatrix<f64>; 2],
 }
 
 /// All coordinates z as functions of the state and of the inputs, and their velocities.
 #[derive(Clone, Debug, PartialEq)]
-struct ElasticCoordinates {
+pub(super) struct ElasticCoordinates {
     position: DMatrix<f64>,
     position_input: DMatrix<f64>,
-    velocity: DMatrix<f64>,
+    pub(super) velocity: DMatrix<f64>,
     velocity_input: DMatrix<f64>,
 }
 
@@ -223,7 +225,9 @@ impl ElasticSystem {
                 let row = self.rows.iter().position(|row| row.number == Some(*number));
                 row.map_or_else(|| DVector::zeros(basis.ncols()), |row| -&reduced[row])
             }
-            ElasticInput::Gravity(gravity) => basis.tr_mul(&self.weight(gravity)),
+            ElasticInput::Gravity(gravity) => {
+                basis.tr_mul(&self.basis.tr_mul(&weight(&self.model, &self.kinematics, gravity)))
+            }
         };
         let forces: Vec<DVector<f64>> = inputs.iter().map(force).collect();
         let mut g = DMatrix::zeros(r + q + s, inputs.len());
@@ -300,17 +304,16 @@ impl ElasticSystem {
             state,
         }))
     }
+}
 
-    /// Generalised forces of the weight of all links over z.
-    fn weight(&self, gravity: &Vector3<f64>) -> DVector<f64> {
-        let mechanism = &self.model.mechanism;
-        let force = |link: LinkId| {
-            let inertial = mechanism.link(link).inertial()?;
-            let jacobian = self.model.point_jacobian(&self.kinematics, link, &inertial.com);
-            Some(jacobian.tr_mul(gravity) * inertial.mass)
-        };
-        let start = DVector::zeros(self.basis.nrows());
-        let sum = mechanism.link_ids().filter_map(force).fold(start, |sum, force| sum + force);
-        self.basis.tr_mul(&sum)
-    }
+/// Generalised forces of the weight of all links over the coordinates. `gravity`: m/s², root axes.
+pub(super) fn weight(model: &Model, kinematics: &Kinematics, gravity: &Vector3<f64>) -> DVector<f64> {
+    let mechanism = &model.mechanism;
+    let force = |link: LinkId| {
+        let inertial = mechanism.link(link).inertial()?;
+        let jacobian = model.point_jacobian(kinematics, link, &inertial.com);
+        Some(jacobian.tr_mul(gravity) * inertial.mass)
+    };
+    let start = DVector::zeros(model.coordinates.len());
+    mechanism.link_ids().filter_map(force).fold(start, |sum, force| sum + force)
 }

@@ -5,7 +5,7 @@
 //! to a polynomial force.
 
 use nalgebra::{DMatrix, DVector};
-use percuss_dynamics::{ElasticMotion, ElasticOutput};
+use percuss_dynamics::{ElasticMotion, ElasticOutput, JointForce};
 
 /// Number of Gauss points of a step.
 const POINTS: usize = 4;
@@ -73,6 +73,8 @@ pub(super) struct Flow<'a> {
     pub contact: Line,
     /// Rows of bushes and elements.
     pub rows: Vec<Line>,
+    /// Components of the forces of the ideal joints, as displacements.
+    pub joints: Vec<Vec<Line>>,
     /// Displacement along each input, and its constant value.
     pub applied: Vec<(Line, f64)>,
     /// Forces that are not linear: number of the input, displacement and law.
@@ -94,8 +96,8 @@ impl<'a> Flow<'a> {
         constants: &DVector<f64>,
         laws: Vec<(usize, Option<usize>, Law<'a>)>,
         contact_law: [f64; 2],
-        scales: Scales,
-        step: f64,
+        (scales, step): (Scales, f64),
+        joints: &[JointForce],
     ) -> Self {
         let n = motion.rate.nrows();
         let total = n + 2;
@@ -151,6 +153,7 @@ impl<'a> Flow<'a> {
         Self {
             laws: laws.into_iter().map(|(input, row, law)| (input, line_of(row), law)).collect(),
             rows: motion.rows.iter().map(|row| line(&row.output)).collect(),
+            joints: joints.iter().map(|joint| joint.components.iter().map(line).collect()).collect(),
             applied: motion.applied.iter().map(line).zip(constants.iter().copied()).collect(),
             rate,
             input,

@@ -8,7 +8,8 @@ use crate::motion::joint_rates::JointRates;
 use crate::time::conditions::TimeConditions;
 use nalgebra::DVector;
 use percuss_dynamics::{
-    ElasticDirection, ElasticInput, ElasticMotion, ElasticSystem, LinearElement, LocatedContact, Pose,
+    ElasticDirection, ElasticInput, ElasticMotion, ElasticSystem, JointForce, LinearElement, LocatedContact,
+    Pose,
 };
 use std::f64::consts::PI;
 
@@ -64,14 +65,14 @@ pub struct SecondHit {
     pub speed: f64,
 }
 
-/// Largest force of a row of a bush, or of a spring, a damper, a support or a gear.
+/// Largest force of a row of a bush, of a spring, a damper, a support, a gear or an ideal joint.
 #[derive(Clone, Debug, PartialEq)]
 pub struct ElementPeak {
-    /// Name of the bush or element.
+    /// Name of the bush, element or joint.
     pub element: String,
-    /// Direction in the bush; `None` for the magnitude of the three forces.
+    /// Direction in the bush; `None` for the magnitude of the three forces of a bush or a joint.
     pub direction: Option<ElasticDirection>,
-    /// Number of the element: lines, joint springs and supports of the conditions, then gears; `None` for a bush.
+    /// Number of the element: lines, joint springs and supports of the conditions, then gears; `None` for a bush or a joint.
     pub number: Option<usize>,
     /// True for a moment in N·m.
     pub is_moment: bool,
@@ -189,6 +190,7 @@ pub fn compliant_impact(
         gravity: pose.base().inverse_vector(&conditions.gravity),
         scales: Scales { frequency, mass, speed: closing_speed },
         ends_without_force: conditions.ends_without_force,
+        has_joints: true,
     };
     let found = problem.solve(&start, false)?;
     // A support that leaves the ground is not linear.
@@ -218,6 +220,7 @@ pub fn compliant_impact_of(
         gravity: nalgebra::Vector3::zeros(),
         scales: Scales { frequency: (law[0] / mass).sqrt(), mass, speed: closing_speed },
         ends_without_force: true,
+        has_joints: false,
     };
     problem.solve(&(motion * closing_speed), true)?.ok_or(ImpactError::MasslessContact)
 }
@@ -230,6 +233,8 @@ struct Problem<'a> {
     gravity: nalgebra::Vector3<f64>,
     scales: Scales,
     ends_without_force: bool,
+    /// True for the forces of the ideal joints.
+    has_joints: bool,
 }
 
 impl<'a> Problem<'a> {
@@ -251,7 +256,11 @@ impl<'a> Problem<'a> {
     }
 
     /// Motion and its flow. `in_contact`: with the contact; `supports_leave`: supports never pull.
-    fn flow(&self, in_contact: bool, supports_leave: bool) -> Result<(ElasticMotion, Flow<'a>), ImpactError> {
+    fn flow(
+        &self,
+        in_contact: bool,
+        supports_leave: bool,
+    ) -> Result<(ElasticMotion, Vec<JointForce>, Flow<'a>), ImpactError> {
         let (inputs, constants) = self.inputs();
         let contact = if in_contact { self.law.linear } else { [0.0; 2] };
         let motion = self.system.motion(contact, &inputs, self.scales.frequency)?;
@@ -274,8 +283,10 @@ impl<'a> Problem<'a> {
         let duration = PI / self.scales.frequency;
         let steps = duration * motion.highest_frequency / STEP_ANGLE;
         let step = duration / steps.clamp(STEPS[0], STEPS[1]);
-        let flow = Flow::new(&motion, &constants, laws, contact, self.scales, step);
-        Ok((motion, flow))
+        let joints =
+            if self.has_joints { self.system.joint_forces(&motion, contact, &inputs) } else { Vec::new() };
+        let flow = Flow::new(&motion, &constants, laws, contact, (self.scales, step), &joints);
+        Ok((motion, joints, flow))
     }
 
     /// Impact; `None` if a support would pull and `supports_leave` is false.
@@ -285,7 +296,7 @@ impl<'a> Problem<'a> {
         supports_leave: bool,
     ) -> Result<Option<CompliantImpact>, ImpactError> {
         let Scales { frequency, speed, .. } = self.scales;
-        let (motion, mut flow) = self.flow(true, supports_leave)?;
+        let (motion, joints, mut flow) = self.flow(true, supports_leave)?;
         let duration = PI / frequency;
         let by_force = self.ends_without_force;
         let is_end = |flow: &Flow, state: &DVector<f64>, forces: &DVector<f64>, _: f64| {
@@ -308,7 +319,7 @@ impl<'a> Problem<'a> {
         }
         let (inputs, _) = self.inputs();
         let input_of = |number: usize| inputs.iter().position(|x| *x == ElasticInput::Element(number));
-        let quantities = Quantity::all(&motion, input_of);
+        let quantities = Quantity::all(&motion, &joints, input_of);
         let contact_force = |flow: &Flow, y: &DVector<f64>, u: &DVector<f64>| flow.contact_force(y, u);
         let depth = |flow: &Flow, y: &DVector<f64>, u: &DVector<f64>| flow.contact.at(y, u).0.max(0.0);
         let (peak_force, max_penetration) =
@@ -332,7 +343,7 @@ impl<'a> Problem<'a> {
         let impulse = flow.impulse(state);
         let mut second_hit = None;
         if ends {
-            let (after, mut free) = self.flow(false, true)?;
+            let (after, joints, mut free) = self.flow(false, true)?;
             let begin = after.continued(&motion, &flow.unscaled(state), &flow.inputs(forces));
             let begin = free.scaled(&begin);
             let [k, c] = self.law.linear;
@@ -346,7 +357,7 @@ impl<'a> Problem<'a> {
             };
             let gives_up = |_: &Flow, trace: &Trace| trace.times[trace.times.len() - 1] >= 2.0 * end_time;
             let (later, hits) = follow(&mut free, begin, end_time, &touches, gives_up);
-            let quantities = Quantity::all(&after, input_of);
+            let quantities = Quantity::all(&after, &joints, input_of);
             for (element, quantity) in elements.iter_mut().zip(&quantities) {
                 let found = peak(&mut free, &later, |flow, y, u| quantity.at(flow, y, u));
                 element.force_after = Some(found.0);

@@ -3,7 +3,7 @@
 use super::flow::Flow;
 use crate::time::history::peak_over_time;
 use nalgebra::DVector;
-use percuss_dynamics::{ElasticDirection, ElasticMotion};
+use percuss_dynamics::{ElasticDirection, ElasticMotion, JointForce};
 
 /// Levels of halving between the samples near a peak, twice: the parabola through three of them then has ten digits.
 const FINER: usize = 4;
@@ -48,6 +48,8 @@ pub(super) struct Quantity {
     pub is_moment: bool,
     /// Rows.
     rows: Vec<RowForce>,
+    /// Number of an ideal joint in place of the rows.
+    joint: Option<usize>,
 }
 
 /// Force of a row: k x + c ẋ − preload and the value of an input.
@@ -60,8 +62,12 @@ struct RowForce {
 }
 
 impl Quantity {
-    /// All rows with a force, and the magnitude of the forces of every bush. `input_of`: input of the element with a number.
-    pub fn all(motion: &ElasticMotion, input_of: impl Fn(usize) -> Option<usize>) -> Vec<Self> {
+    /// All rows with a force, the magnitude of the forces of every bush, and that of every ideal joint. `input_of`: input of the element with a number.
+    pub fn all(
+        motion: &ElasticMotion,
+        joints: &[JointForce],
+        input_of: impl Fn(usize) -> Option<usize>,
+    ) -> Vec<Self> {
         let force = |row: usize| {
             let of = &motion.rows[row];
             let input = of.number.and_then(&input_of);
@@ -88,6 +94,7 @@ impl Quantity {
                         number: None,
                         is_moment: false,
                         rows: vec![force(row)],
+                        joint: None,
                     }),
                 }
             }
@@ -97,13 +104,26 @@ impl Quantity {
                 number: of.number,
                 is_moment: of.is_moment,
                 rows: vec![force(row)],
+                joint: None,
             });
         }
+        all.extend(joints.iter().enumerate().map(|(number, joint)| Self {
+            element: joint.name.clone(),
+            direction: None,
+            number: None,
+            is_moment: false,
+            rows: Vec::new(),
+            joint: Some(number),
+        }));
         all
     }
 
     /// Force at a state: with the sign of the displacement for one row, otherwise the magnitude.
     pub fn at(&self, flow: &Flow, state: &DVector<f64>, forces: &DVector<f64>) -> f64 {
+        if let Some(joint) = self.joint {
+            let squares = flow.joints[joint].iter().map(|line| line.at(state, forces).0.powi(2));
+            return squares.sum::<f64>().sqrt();
+        }
         let inputs = flow.inputs(forces);
         let force = |row: &RowForce| {
             let (x, v) = flow.rows[row.row].at(state, forces);

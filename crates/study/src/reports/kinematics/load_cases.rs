@@ -54,18 +54,23 @@ impl KinematicLoads {
         Self { wheels, travel_held: loads.travel_held, cases: LoadCase::all().map(case).to_vec() }
     }
 
-    /// Loads in a sentence.
-    pub fn text(&self) -> String {
+    /// Loaded wheels and their support in a few words, for figures.
+    pub fn wheels_text(&self) -> String {
         let wheels = match self.wheels {
             "parallel" => "the same load on both wheels",
             "opposed" => "opposite loads on both wheels, positive on the left",
             _ => "load on a single wheel, on the right its mirror image",
         };
         let held = if self.travel_held { "at held height" } else { "held by the springs" };
+        format!("{wheels}; wheels {held}, locked to their carriers, without tyres")
+    }
+
+    /// Loads in a sentence.
+    pub fn text(&self) -> String {
         let case = |case: &KinematicLoadCase| {
             format!("{} {} at the {}", case.name.replace('_', " "), case.direction, case.acts_at)
         };
         let cases: Vec<String> = self.cases.iter().map(case).collect();
-        format!("{wheels}; wheels {held}, locked to their carriers, without tyres; {}", cases.join(", "))
+        format!("{}; {}", self.wheels_text(), cases.join(", "))
     }
 }

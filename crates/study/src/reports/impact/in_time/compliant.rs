@@ -40,13 +40,13 @@ pub struct SecondHitRecord {
     pub speed: f64,
 }
 
-/// Largest force of a bush, a spring, a damper, a tyre or a gear.
+/// Largest force of a bush, a spring, a damper, a tyre, a gear or an ideal joint.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct ElementForceRecord {
-    /// The bush, spring, damper, tyre, anti-roll bar, drive or joint.
+    /// The bush, spring, damper, tyre, anti-roll bar or drive; the joint or loop of a gear or of an ideal bearing.
     pub element: String,
     /// Direction in the bush: `radial x`, `radial y`, `axial`, `conical x`, `conical y`, `torsional`; `motion` of a spring or damper, `twist` of a
-    /// gear; null for the magnitude of the force of a bush.
+    /// gear; null for the magnitude of the force of a bush or of an ideal joint.
     pub direction: Option<&'static str>,
     /// `N`, or `N·m` for a moment.
     pub unit: &'static str,
