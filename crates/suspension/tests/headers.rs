@@ -255,6 +255,7 @@ fn headers_in_comments_and_titles() {
         ("# y x z", false),
         ("order: y x z", false),
         ("Points (Y, X, Z)", true),
+        ("Points in X, Y, Z", false),
         ("# name,y,x,z\nname,y,x,z", true),
     ] {
         assert_eq!(is_read(&plain.replace("HEADER", header), &car), is_read_, "{header}");
@@ -262,8 +263,7 @@ fn headers_in_comments_and_titles() {
     let row =
         |name: &str, [x, y, z]: [f64; 3]| texts(&[name, &format!("{x}"), &format!("{y}"), &format!("{z}")]);
     let plain = table(&car, "", ",", &texts(&["HEADER"]), row);
-    for comment in ["# x y z", "# x forward, y left, z up", "Points in X, Y, Z", "# a comment", "#name,x,y,z"]
-    {
+    for comment in ["# x y z", "# x forward, y left, z up", "# a comment", "#name,x,y,z"] {
         assert!(is_read(&plain.replace("HEADER", comment), &car), "{comment}");
     }
 }

@@ -138,7 +138,7 @@ pub enum Command {
     /// With peak force and penetration, for a spring and damper or for the parameters of a simulator.
     #[command(
         after_help = examples::RESTITUTION,
-        override_usage = "percuss restitution (MODEL (--at NAME | --link L …) | --mass KG)\n                           (--stiffness K (--damping C | --hunt-crossley D | --loss-factor E)\n                            | --tool NAME --parameter NAME=VALUE…) --speed V"
+        override_usage = "percuss restitution (MODEL (--at NAME | --link L …) | --mass KG)\n        (--stiffness K (--damping C | --hunt-crossley D | --loss-factor E)\n         | --tool NAME --parameter NAME=VALUE…) --speed V"
     )]
     Restitution(Box<RestitutionArgs>),
     /// Stiffness, damping and mass from measured impacts.

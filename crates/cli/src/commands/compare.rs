@@ -8,7 +8,7 @@ use crate::files::csv::{self, Cell};
 use crate::files::output::record_input;
 use crate::files::table_style::{ColumnUnit, TableStyle};
 use crate::pictures::clipping::note_clipping;
-use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name};
+use crate::pictures::sweep_figure::{axis_unit, motion_ratio_name, requested_figure};
 use crate::terminal::design_changes;
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
@@ -493,16 +493,10 @@ fn figure_of(
         panels.push(Panel { y_label, series: differences, ..Panel::default() });
     }
     Ok(Figure {
-        title: requested
-            .title
-            .clone()
-            .unwrap_or_else(|| format!("Effective mass of {}", of_designs(report, ""))),
-        x_limits: requested.x_limits.map(AxisLimits::ends),
         subtitle: model_names(report, designs).join(", "),
         x_label: format!("{} ({unit})", varied_name(&varied.name)),
         panels,
         marks: touches(report, designs),
-        is_logarithmic: false,
-        is_half: false,
+        ..requested_figure(requested, &format!("Effective mass of {}", of_designs(report, "")))
     })
 }

@@ -32,6 +32,15 @@ pub fn axis_unit(column: &VariedColumn, length: LengthUnit) -> (f64, &'static st
     }
 }
 
+/// Figure without panels, with the requested title, otherwise its own one, and the requested x axis.
+pub fn requested_figure(requested: &StudyFigure, own_title: &str) -> Figure {
+    Figure {
+        title: requested.title.clone().unwrap_or_else(|| own_title.to_owned()),
+        x_limits: requested.x_limits.map(AxisLimits::ends),
+        ..Figure::default()
+    }
+}
+
 /// Legend of the estimate.
 fn estimate_name(question: &MassQuestion) -> String {
     let links = question.estimate.as_ref().map_or_else(String::new, |estimate| estimate.links.join(" + "));
@@ -189,17 +198,13 @@ impl SweepCurves {
             });
         }
         let varied = heading.varied.last().map_or_else(String::new, |varied| varied_name(&varied.name));
+        let contact = heading.contact.as_ref().unwrap_or(&heading.link);
         Ok(Figure {
-            title: requested.title.clone().unwrap_or_else(|| {
-                format!("Effective mass at {}", heading.contact.as_ref().unwrap_or(&heading.link))
-            }),
-            x_limits: requested.x_limits.map(AxisLimits::ends),
             subtitle: heading.inputs.first().map_or_else(String::new, |input| input.path.clone()),
             x_label: if unit.is_empty() { varied } else { format!("{varied} ({unit})") },
             panels,
             marks,
-            is_logarithmic: false,
-            is_half: false,
+            ..requested_figure(requested, &format!("Effective mass at {contact}"))
         })
     }
 }

@@ -279,7 +279,9 @@ fn stiff_bushes_leave_the_rigid_impact() {
         let squares = rigid.expect("a force").iter().map(|part| part.as_f64().expect("a number").powi(2));
         let elements = found["elements"].as_array().expect("elements");
         let elastic = value(elements.iter().find(named).unwrap_or_else(|| panic!("{name}")), "peak_force");
-        assert!((elastic / squares.sum::<f64>().sqrt() - 1.0).abs() < 1e-5, "{name}: {elastic}");
+        let rigid = squares.sum::<f64>().sqrt();
+        // The slope of the contact force excites the free mass: a part √(k m̄/(k_bush m_free)), 3.6e-4, of the force.
+        assert!((elastic / rigid - 1.0).abs() < 4e-4, "{name}: {elastic}, rigid {rigid}");
     }
     let bush =
         found["elements"].as_array().expect("elements").iter().find(|one| one["element"] == "lower_front");

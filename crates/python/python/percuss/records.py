@@ -906,7 +906,7 @@ class ExtremesCertificateRecord(Record):
     tolerance: float
     """Wanted relative distance of the bounds."""
     mass_tolerance: float
-    """Relative tolerance of all masses and moments of inertia."""
+    """Relative tolerance t of all masses, moments of inertia and rotor inertias, each by its own factor from 1 − t to 1 + t."""
     least: BracketRecord | None
     """Smallest m̄; None without a proof."""
     most: BracketRecord | None

@@ -89,7 +89,7 @@ impl ElasticSystem {
         let (n, m) = (motion.rate.nrows(), motion.rate.nrows() + motion.input.ncols());
         let of_state =
             |r: usize, c: usize| if c < n { motion.rate[(r, c)] } else { motion.input[(r, c - n)] };
-        let accelerations = &motion.coordinates.velocity * DMatrix::from_fn(n, m, of_state);
+        let accelerations = &self.basis * &motion.coordinates.velocity * DMatrix::from_fn(n, m, of_state);
         let mass = free.mass_matrix(&at_rest);
         let mut forces = &mass * &t * &accelerations;
         let mut rows = elastic_rows(&free, &at_rest, None, &self.elements);

@@ -10,13 +10,13 @@ mod changed_workbook;
 mod header;
 mod places;
 mod settings;
+mod titles;
 #[cfg(feature = "xlsx")]
 mod workbook;
 
-use super::catalogue::{self, HEAD};
+use super::catalogue::HEAD;
 use super::entries::{Cell, Entries, Place, TableRow, parse_number};
 use super::names::vocabulary;
-use crate::corner::design::STOPS;
 use crate::findings::{Findings, Spot};
 use crate::limits::{MAX_SHEET_KEYS, MAX_TABLE_COLUMNS};
 use crate::options::Side;
@@ -26,12 +26,10 @@ use percuss_formats::reading::{quoted, shortened};
 use percuss_units::LengthUnit;
 use places::cell_places;
 use std::borrow::Cow;
+use titles::{MAX_TITLE_ROWS, is_blank, is_comment, is_key, number_of, read_comments, title_rows, word_of};
 
 /// Reason of a refused title.
 const OTHER_ORDER: &str = "it names the axes in another order in one cell";
-
-/// Largest number of title rows.
-const MAX_TITLE_ROWS: usize = 20;
 
 /// Workbook with other numbers in some cells of a worksheet, `None` for the first one.
 ///
@@ -396,32 +394,6 @@ fn add_rows(mut rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findi
     }
 }
 
-/// True for a row whose first cell begins with #.
-fn is_comment(row: &TableRow) -> bool {
-    matches!(row.cells.first(), Some(Cell::Text(text)) if text.trim_start().starts_with('#'))
-}
-
-/// Makes a comment with a header the header of a worksheet without one. Returns a title that names the axes in another order.
-fn read_comments(rows: &mut [TableRow]) -> Option<(String, Spot)> {
-    let is_header = |cells: &[Cell]| matches!(header::read(cells, Side::Left), Row::Header(_));
-    if rows.iter().any(|row| !is_comment(row) && is_header(&row.cells)) {
-        return None;
-    }
-    for row in rows.iter_mut().filter(|row| is_comment(row)) {
-        let first = Cell::Text(row.cells[0].to_text().replace(['#', '"'], "").trim().to_owned());
-        let cells: Vec<Cell> = std::iter::once(first).chain(row.cells.iter().skip(1).cloned()).collect();
-        if is_header(&cells) {
-            row.cells = cells;
-            return None;
-        }
-    }
-    let mut texts = rows.iter().take(MAX_TITLE_ROWS).map(|row| {
-        let words: Vec<String> = row.cells.iter().filter_map(word_of).map(str::to_owned).collect();
-        (words.join(" "), row.spot.clone())
-    });
-    texts.find(|(text, _)| header::names_other_order(text))
-}
-
 /// Removes empty columns before the first one, a column of section titles before the column of the names, and, of a table without a
 /// header, a column of numbers before the names.
 fn drop_columns(rows: &mut Vec<TableRow>, findings: &mut Findings) {
@@ -454,23 +426,6 @@ fn drop_columns(rows: &mut Vec<TableRow>, findings: &mut Findings) {
             "the column of numbers before the names is not used; a row that names the columns is missing";
         findings.note("columns", &first.spot.clone(), message.to_owned());
         rows.iter_mut().filter(|row| is_numbered(row)).for_each(|row| row.drop_first(1));
-    }
-}
-
-/// Text of a cell that is no number and not empty.
-fn word_of(cell: &Cell) -> Option<&str> {
-    match cell {
-        Cell::Text(text) if !text.trim().is_empty() && number_of(cell).is_none() => Some(text.trim()),
-        _ => None,
-    }
-}
-
-/// Number of a cell, with or without a unit.
-fn number_of(cell: &Cell) -> Option<f64> {
-    match cell {
-        Cell::Number(x) => Some(*x),
-        Cell::Text(text) => parse_number(percuss_units::split(text).0),
-        Cell::Switch(_) | Cell::Unreadable(_) => None,
     }
 }
 
@@ -587,44 +542,4 @@ fn unclear_header(cells: &[Cell], reason: &str) -> String {
          one cell, or a row that begins with #",
         words.join(", ")
     )
-}
-
-/// True for an empty cell.
-fn is_blank(cell: &Cell) -> bool {
-    matches!(cell, Cell::Text(text) if text.trim().is_empty())
-}
-
-/// True if the first cell is a point or a key of a section; `name` and `points` may also be in a header.
-fn is_key(cells: &[Cell]) -> bool {
-    let Some(Cell::Text(first)) = cells.iter().find(|cell| !is_blank(cell)) else { return false };
-    let first = first.trim();
-    catalogue::keys().points.iter().any(|(key, _)| key == first)
-        || first.split_once('.').is_some_and(|(section, _)| is_section(section))
-}
-
-/// Number of title rows before the header or the first key. A title has no number, and its first cell is no key.
-fn title_rows(rows: &[TableRow], kinds: &[Row]) -> usize {
-    let header = kinds.iter().position(|kind| matches!(kind, Row::Header(_)));
-    let is_title = |(i, (row, kind)): &(usize, (&TableRow, &Row))| {
-        let is_value = |cell: &Cell| !matches!(cell, Cell::Text(text) if parse_number(text).is_none());
-        let is_of_head = || {
-            let first = row.cells.iter().find(|cell| !is_blank(cell));
-            matches!(first, Some(Cell::Text(first)) if HEAD.contains(&first.trim()) || settings::is_label(first))
-        };
-        // Words above a header are a title unless they name an axis, a unit or a side.
-        let is_words = match kind {
-            Row::Other => true,
-            Row::Header(_) | Row::Sides => false,
-            Row::Unclear { has_parts, .. } => !has_parts && header.is_some_and(|header| *i < header),
-        };
-        is_words && !is_key(&row.cells) && !is_of_head() && !row.cells.iter().any(is_value)
-    };
-    let titles = rows.iter().zip(kinds).enumerate().take(MAX_TITLE_ROWS).take_while(is_title).count();
-    if titles < rows.len() { titles } else { 0 }
-}
-
-/// True for the name of a section of a sheet.
-fn is_section(name: &str) -> bool {
-    let is_body = || catalogue::keys().bodies.iter().any(|(key, _)| key == name);
-    ["points", "wheel", "rack", "spring", "damper"].contains(&name) || STOPS.contains(&name) || is_body()
 }
