@@ -69,8 +69,9 @@ def test_every_form_is_the_same(seed: int) -> None:
         assert other.effective_mass == plain.effective_mass and np.array_equal(other.velocity, plain.velocity)
 
 
-def test_a_coordinate_with_negligible_mass_is_massless_in_batches() -> None:
-    M = np.stack([np.diag([1.0, mass]) for mass in (1e-3, 1e-11, 1e-18)])
+def test_a_coordinate_whose_mass_is_rounding_is_massless_in_batches() -> None:
+    # An entry beside the diagonal that is larger than √(M₁₁ M₂₂) allows, and a rounding of M₁₁: the coordinate has no mass.
+    M = np.array([[[1.0, beside], [beside, mass]] for beside, mass in ((0.0, 1e-3), (0.0, 1e-18), (1e-15, 1e-33))])
     batch = percuss.effective_masses(M, [0.0, 1.0])
     alone = [percuss.effective_mass(one, [0.0, 1.0]).status for one in M]
     assert [percuss.Status(code).name.lower() for code in batch.status] == alone == ["finite", "finite", "massless"]

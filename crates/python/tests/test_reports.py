@@ -270,7 +270,7 @@ def test_dampers() -> None:
     stop = percuss.contact_law.damp_stop(arm, joint, damping, percuss.Conditions(set={joint: "10deg"}))
     assert stop.stop == {"joint": joint, "motion": "turn"}
     names = [law[0] for law in percuss.contact_law.laws()]
-    assert "kelvin-voigt" in names and len(names) == 14
+    assert "kelvin-voigt" in names and len(names) == 15
     assert len(percuss.contact_law.tools()) > 10 and percuss.reports.regions()
     for wrong, words in [
         (percuss.contact_law.Damping(1.5, 1e5), "restitution"),
