@@ -7,7 +7,7 @@
 //! e² = (1 − h)/(1 + h),   η = (2/π) (1 − e²)/(1 + e²)
 //! ```
 //!
-//! for every spring, mass and speed, and for a mass that changes over the penetration (one degree of freedom). To second order in η it is the
+//! for every spring, mass and speed, and for a mass that changes over the penetration (one degree of freedom). To second order in η, e is the
 //! restitution e^(−πη/2) of a linear damper with ζ = η/2. Source: energy balance; the law is that of Reid (1956, cited from memory).
 
 use crate::ContactLawError;

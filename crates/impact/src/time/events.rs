@@ -12,7 +12,7 @@ use percuss_dynamics::Pose;
 const STICKING_STEP: f64 = 0.01;
 /// Distance of a point of the force curve, over the penetration without damping, within which a step is examined.
 const NEAR_CORNER: f64 = 0.01;
-/// Gap from which a second touch is one, over the penetration without damping: an end of the contact within a step is a gap of rounding.
+/// Least gap before a second touch, over the penetration without damping: a smaller gap at the end of the contact is rounding.
 const OPEN_GAP: f64 = 1e-6;
 
 impl Motion<'_> {

@@ -105,7 +105,7 @@ pub struct ExtremesCertificate {
 }
 
 impl ExtremesCertificate {
-    /// Bounds with all masses within a relative tolerance, from those of the model.
+    /// Bounds for all masses within a relative tolerance: the bounds of the model times 1 ± tolerance.
     pub(super) fn with_masses(mut self, tolerance: f64) -> Self {
         for (bracket, factor) in [(self.least.as_mut(), -tolerance), (Some(&mut self.most), tolerance)] {
             if let Some(bracket) = bracket.filter(|_| factor != 0.0) {
