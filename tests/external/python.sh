@@ -60,7 +60,7 @@ step wheel wheel
 [ $failed = 0 ] || exit 1
 if [ -n "$gate" ]; then
   # Records are compared with the sources; pages and names with the package; calls of each kind.
-  step tests check -k "records or facade or docs or models or pickle" "$@"
+  step tests check -k "records or facade or docs or models or pickle or usd" "$@"
   step mypy types
   step stubtest stubs
   exit $failed

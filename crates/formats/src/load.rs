@@ -81,7 +81,7 @@ const FOREIGN_ROOTS: [(&str, &str); 7] = [
     ("SimscapeMultibodyImportXML", "an export to Simscape Multibody"),
 ];
 
-const USD: &str = "a scene in USD";
+const USD: &str = "a scene in USD (Python: percuss.from_usd)";
 
 /// Error that names the format of a file that is not read, by its root element, its first bytes or the ending of its name; `None` for
 /// other files.

@@ -46,7 +46,7 @@ from ._percuss import sweep_of_parts as _sweep_of_parts
 from ._remarks import RemarkFlags
 from ._request import Conditions
 from ._sweeps import Status
-from .converters import from_mujoco, from_pinocchio
+from .converters import from_mujoco, from_pinocchio, from_usd
 from .errors import InputError, LoadError, ModelWarning, NoAnswerError, PercussError
 from .reports import extremes, impact, map, mass, safe_speed
 from .results import Sweep as _Sweep
@@ -78,6 +78,7 @@ __all__ = [
     "extremes",
     "from_mujoco",
     "from_pinocchio",
+    "from_usd",
     "impact",
     "impacts",
     "load",

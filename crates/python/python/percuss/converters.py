@@ -35,10 +35,11 @@ from numpy.typing import ArrayLike, NDArray
 from ._from_memory import from_mujoco, from_pinocchio
 from ._gradients import position_gradient, rotation_of
 from ._percuss import Model
+from ._usd import from_usd
 from .errors import InputError, ModelWarning
 from .state import VELOCITIES, State, follow_masters, turned, velocity_ranges, zero_positions
 
-__all__ = ["Converter", "from_mujoco", "from_pinocchio", "position_gradient"]
+__all__ = ["Converter", "from_mujoco", "from_pinocchio", "from_usd", "position_gradient"]
 
 _Array = NDArray[np.float64]
 
