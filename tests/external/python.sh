@@ -83,4 +83,10 @@ if [ -n "${PERCUSS_ARRAYS-}" ]; then
 else
   echo "Python: arrays of PyTorch and JAX are not compared; PERCUSS_ARRAYS=INTERPRETER names one that has them"
 fi
+# Newton (200 MB with Warp): PERCUSS_NEWTON names an interpreter with newton[importers].
+if [ -n "${PERCUSS_NEWTON-}" ]; then
+  step "stages of USD (newton)" "$PERCUSS_NEWTON" "$package/tests/peers/usd.py" --package "$work/site"
+else
+  echo "Python: stages of USD are not compared with Newton; PERCUSS_NEWTON=INTERPRETER names one that has newton[importers]"
+fi
 exit $failed
