@@ -67,6 +67,7 @@ pub use motion::constraint_action::{ConstraintAction, ConstraintGroup, Constrain
 pub use motion::forward_dynamics::{Accelerations, PointForce};
 pub use motion::limits::BranchLimits;
 pub use motion::mass_gradient::MassGradient;
+pub use motion::nearby_designs::{NearbyDesigns, PoseCondition};
 pub use motion::operational_inertia::InverseOperationalInertia;
 pub use motion::points::lowest_point::LowestPoint;
 pub use motion::points::point_velocity::PointVelocity;

@@ -582,3 +582,13 @@ pub(crate) const CHECK_ROOM: f64 = 1e-11;
 /// Smallest pivot of the rows of a linkage, relative to the largest entry, for which the conditions determine its motion; and
 /// largest residual of conditions that do not exclude one another. Roundings are some 1e-15, regular poses above 1e-4.
 pub(crate) const UNDETERMINED_MOTION: f64 = 1e-9;
+/// Largest change of a unit vector or of a rotation between two designs whose frames correspond: a hardpoint that moves by 1e-5 of the
+/// mechanism turns a part of a thousandth of its size by 1e-2; an exchanged direction is turned by about 1.
+pub(crate) const SAME_DIRECTION: f64 = 0.03;
+/// Largest residual of a nearby design after one Newton step, relative to the residual before: the step leaves second-order terms, some
+/// 1e-5, and a design that does not close leaves about 1.
+pub(crate) const CLOSED_PART: f64 = 3e-3;
+/// Least such residual, relative to the size of the mechanism: rounding.
+pub(crate) const CLOSED_ROUNDING: f64 = 1e-13;
+/// Distance of a joint from its position at the start (rad or m) up to which it was held there.
+pub(crate) const HELD_POSITION: f64 = 1e-13;

@@ -60,11 +60,11 @@ pub use percuss_dynamics::{
     ElasticRowOutput, ElasticSystem, ElementMotion, ErrorBudget, ExtremeBracket, ExtremesCertificate, Frame,
     Gap, GivenPositions, InverseOperationalInertia, JointForce, LayoutError, LinearElement, Load,
     LocatedContact, LoopState, LowestPoint, MapAnswers, MapError, MassCertificate, MassGradient, MatrixError,
-    MatrixName, MatrixOptions, MatrixResponse, MatrixView, Mode, NoCertificate, PathAnswer, PointForce,
-    PointVelocity, Pose, PoseRank, PrincipalMass, RangeProof, Receptance, RegularMatrices, Remark,
-    RemarkFlags, ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops, Route, RouteChoice,
-    RouteError, RowAnswer, RowColumns, RowHandler, RowPath, RowResults, RowShare, Singularity,
-    StateSizeError, StaticDisplacement, StaticSystem, System, Travel, TravelError, Workspace,
+    MatrixName, MatrixOptions, MatrixResponse, MatrixView, Mode, NearbyDesigns, NoCertificate, PathAnswer,
+    PointForce, PointVelocity, Pose, PoseCondition, PoseRank, PrincipalMass, RangeProof, Receptance,
+    RegularMatrices, Remark, RemarkFlags, ResidualCompliance, ResponseAtPose, ResponseError, RigidLoops,
+    Route, RouteChoice, RouteError, RowAnswer, RowColumns, RowHandler, RowPath, RowResults, RowShare,
+    Singularity, StateSizeError, StaticDisplacement, StaticSystem, System, Travel, TravelError, Workspace,
     WorkspaceResponse, effective_mass, input, interruption,
 };
 #[cfg(feature = "urdf-rs")]

@@ -158,6 +158,16 @@ pub(crate) const SAMPLES: RangeInclusive<usize> = 2..=100_000;
 /// Step of a hardpoint for four-point differences, in characteristic lengths. The truncation error grows with the fourth
 /// power of the step, 1e-16 relative; m̄ is accurate to some 1e-12, which gives 1e-8 for the derivative.
 pub(crate) const POINT_STEP: f64 = 1e-4;
+/// Step of a hardpoint for differences of designs near a pose, in characteristic lengths, at which rounding is some 1e-15/3e-7.
+pub(crate) const NEARBY_STEP: f64 = 3e-7;
+/// Truncation of these differences, relative, for parts of a five-hundredth of this length: (3e-7 · 500)²/6.
+pub(crate) const NEARBY_TRUNCATION: f64 = 4e-9;
+/// Rounding of m̄ of such a design, relative.
+pub(crate) const NEARBY_ROUNDING: f64 = 16.0 * f64::EPSILON;
+/// Largest relative change of m̄ over two such steps, and of its slope over one: for the same parts 3e-4 and 2e-8. An exchanged direction
+/// changes some part by about 1.
+pub(crate) const LARGEST_NEARBY_CHANGE: f64 = 1e-2;
+pub(crate) const NEARBY_CURVATURE: f64 = 1e-6;
 /// Number of changes of each kind listed in an explanation.
 pub(crate) const LISTED_CHANGES: usize = 3;
 /// Tolerance of |product − 1| for a motion ratio and its inverse in a mechanism with one travel. Loop closure and rounding

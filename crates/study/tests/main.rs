@@ -2,5 +2,6 @@
 
 mod drift;
 mod generated;
+mod nearby;
 mod requests;
 mod stops;

@@ -30,6 +30,7 @@ impl Spot {
 /// Code of the finding about the worksheets of a workbook.
 pub(super) const FIRST_WORKSHEET: &str = "first-worksheet";
 
+#[derive(Clone, Debug)]
 struct Finding {
     severity: Severity,
     code: &'static str,
@@ -38,7 +39,7 @@ struct Finding {
 }
 
 /// Findings collected so far.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(super) struct Findings {
     list: Vec<Finding>,
     /// Number of warnings and notes beyond the limit.

@@ -22,6 +22,7 @@ mod forces;
 pub mod kinematics;
 mod limits;
 mod options;
+mod reading;
 mod sheet;
 mod text;
 mod understood;
@@ -37,7 +38,6 @@ use findings::{Findings, Spot};
 pub use forces::{ForceElements, SpringForce, TyreForce};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;
-use percuss_formats::reading::encoding::{self, Decoded};
 use percuss_formats::reading::{Place, Report, cut, quoted};
 use percuss_formats::{Comments, Diagnostic, LoadError, Source};
 use percuss_mechanism::{
@@ -46,6 +46,8 @@ use percuss_mechanism::{
 };
 use percuss_spatial::{Matrix3, Vector3};
 pub use percuss_units::LengthUnit;
+pub use reading::ReadFile;
+use reading::{ReadSheet, check_options};
 pub use sheet::{
     TABLE_COLUMNS, TemplateOptions, template_keys, template_names, template_rows, template_sheet,
 };
@@ -81,50 +83,40 @@ pub struct Imported {
 /// coordinates implausible for a vehicle in the given unit; hardpoints that define no joint axis; an error of the
 /// mechanism's builder.
 pub fn import(source: &Source, options: &ImportOptions) -> Result<Imported, LoadError> {
-    if !sheet::is_foreign(&source.name, &String::from_utf8_lossy(&source.bytes))
-        && let Some(error) = percuss_formats::foreign_format(source)
-    {
-        return Err(error);
-    }
-    let mut report = Report::default();
-    if sheet::is_workbook(&source.bytes) {
-        return import_sheet(source, "", None, options);
-    }
-    let text = decode(source, &mut report);
-    let Some(Decoded { text, note }) = text else {
-        return Err(LoadError { diagnostics: report.finish(&source.name, "") });
-    };
-    let text = &*text;
-    if is_json(source, text) {
-        match source.text(&mut report) {
-            Some(text) => import_chrono(source, &text, options, report),
-            None => Err(LoadError { diagnostics: report.finish(&source.name, "") }),
-        }
-    } else {
-        import_sheet(source, text, note, options)
+    ReadFile::new(source, options)?.import(&[])
+}
+
+impl ReadFile {
+    /// Imports the file with points moved by `moves` (name; m, in the axes of the file) after those of the options.
+    ///
+    /// # Errors
+    /// [`LoadError`], as [`import`].
+    pub fn import(&self, moves: &[(String, [f64; 3])]) -> Result<Imported, LoadError> {
+        let (source, options) = (&self.source, &self.options);
+        let moves = [&options.moves, moves].concat();
+        let Some(read) = &self.sheet else {
+            let mut report = Report::default();
+            return match source.text(&mut report) {
+                Some(text) => {
+                    import_chrono(source, &text, &ImportOptions { moves, ..options.clone() }, report)
+                }
+                None => Err(LoadError { diagnostics: report.finish(&source.name, "") }),
+            };
+        };
+        import_sheet(read.clone(), source, options, &moves)
     }
 }
 
-/// True for JSON: it begins with a brace, or with a comment in Chrono's files. The JSON reader reports XML as such.
-fn is_json(source: &Source, text: &str) -> bool {
-    let begins_as_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
-    begins_as_json && !sheet::is_foreign(&source.name, text) || source.name.ends_with(".json")
-}
-
-/// Imports a sheet; `encoding_note`: note about the encoding of the text.
+/// Imports a sheet with moved points.
 fn import_sheet(
+    read: ReadSheet,
     source: &Source,
-    text: &str,
-    encoding_note: Option<String>,
     options: &ImportOptions,
+    moves: &[(String, [f64; 3])],
 ) -> Result<Imported, LoadError> {
-    let (mut findings, mut files) = (Findings::default(), sheet::Files::new());
-    if let Some(note) = encoding_note {
-        findings.note("windows-1252", &Spot::default(), note);
-    }
-    check_options(&mut findings, options);
-    let imported = sheet::read(source, text, options, &mut findings, &mut files).and_then(|mut sheet| {
-        sheet::apply_moves(&mut sheet, &options.moves, &mut findings);
+    let ReadSheet { sheet, mut findings, files } = read;
+    let imported = sheet.and_then(|mut sheet| {
+        sheet::apply_moves(&mut sheet, moves, &mut findings);
         let built = sheet::build(&sheet, &mut findings).filter(|_| !findings.has_errors())?;
         if sheet.wheel.is_none() && sheet.missing_masses.is_empty() {
             warn_no_wheel(&mut findings, "and the sheet has no [wheel]");
@@ -204,26 +196,6 @@ fn import_chrono(
             Ok(Imported { mechanism, comments, understood, inputs: vec![source.name.clone()], diagnostics })
         }
         Some(_) | None => Err(LoadError { diagnostics }),
-    }
-}
-
-/// Decodes the bytes as text; `None` after an error. Empty and binary files get messages that name the formats of suspensions.
-fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<Decoded<'s>> {
-    let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
-    if source.bytes.trim_ascii().is_empty() {
-        report.error("empty-file", Place::File, || {
-            "the file is empty; a sheet (TOML), a table or JSON is expected".to_owned()
-        });
-        None
-    } else if source.bytes.contains(&0) && !is_utf16 {
-        report.error("binary", Place::File, || {
-            "this is not a text file (it has zero bytes); a sheet (TOML), a table or JSON in UTF-8 is expected".to_owned()
-        });
-        None
-    } else if is_utf16 {
-        source.text(report).map(|text| Decoded { text, note: None })
-    } else {
-        Some(encoding::decode(&source.bytes))
     }
 }
 
@@ -439,16 +411,6 @@ fn find_template<'t>(reader: &mut Reader<'t>, root: &mut Section<'t>) -> Option<
         reader.error("unknown-template", &spot, message);
     }
     found
-}
-
-/// Checks the radius of the wheel.
-fn check_options(findings: &mut Findings, options: &ImportOptions) {
-    if let Some(Wheel { radius: Some(radius), .. }) = options.wheel
-        && !(radius.is_finite() && radius > 0.0)
-    {
-        let message = format!("the wheel's radius is {radius} m; more than 0 is expected");
-        findings.error("bad-radius", &Spot::default(), message);
-    }
 }
 
 /// Warns that the mechanism has no wheel; `why` completes the message.

@@ -26,13 +26,17 @@ pub enum Request {
         #[serde(default)]
         shapes: bool,
     },
-    /// Result at a pose with the frames of the links; a curve if `vary` is given.
+    /// Result at a pose with the frames of the links.
     Show {
         /// Question.
         question: QuestionRequest,
-        /// Range of the curve, as in `percuss sweep --vary`.
-        #[serde(default)]
-        vary: Option<String>,
+    },
+    /// m̄ over a range.
+    Curve {
+        /// Question.
+        question: QuestionRequest,
+        /// Range, as in `percuss sweep --vary`.
+        vary: String,
     },
     /// Results at all named contacts, under the conditions and the pose of a question.
     Contacts {
@@ -43,9 +47,6 @@ pub enum Request {
     Explain {
         /// Question.
         question: QuestionRequest,
-        /// Hardpoints; default: all.
-        #[serde(default)]
-        points: Option<Vec<String>>,
     },
     /// Search for the coordinate of a hardpoint, or for the mass of a link, at which m̄ has a required value.
     Solve {

@@ -10,7 +10,7 @@ use percuss_study::{
     DiagnosticRecord, Explanation, Frames, GivenContact, ImpactReport, InvalidKey, KinematicTarget,
     KinematicVariable, KinematicsQuestion, KinematicsReport, MassQuestion, Model, ModelTable, Moved, Names,
     PointMapReport, PosedMass, RowSource, SafeSpeedReport, Scene, SceneShapes, StudyError, TargetReport,
-    TargetSearch, Vary, WheelMotion, changed_sheet, contact_list, damp_contact, damp_stop,
+    TargetSearch, Vary, WheelMotion, changed_sheet, contact_list, damp_contact, damp_stop, explain,
     given_contact_masses, impact, kinematics, link_frames, map_point, mass_with_frames, safe_speeds, scene,
     scene_shapes, search_targets, starting_contact, sweep_report,
 };
@@ -108,6 +108,7 @@ impl<T, E: Into<Refusal>> From<Result<T, E>> for Outcome<T> {
 enum Reply {
     Opened(Box<Opened>),
     Shown(Box<Shown>),
+    Curve(Curve),
     Contacts(Box<ContactListReport>),
     Explained(Option<Explanation>),
     Found(Box<TargetReport>),
@@ -143,7 +144,6 @@ struct Shown {
     result: Outcome<PosedMass>,
     /// Frames at the pose of a question without a result, if the pose exists.
     frames: Option<Frames>,
-    curve: Option<Outcome<Curve>>,
 }
 
 /// Curve of m̄ over a range.
@@ -204,18 +204,19 @@ impl Session {
                 let source = source(&model.path, text, files)?;
                 Ok(Reply::Opened(Box::new(self.open(&model, &source, shapes)?)))
             }
-            Request::Show { question, vary } => {
-                Ok(Reply::Shown(Box::new(self.show(&question, vary.as_deref())?)))
+            Request::Show { question } => Ok(Reply::Shown(Box::new(self.show(&question)?))),
+            Request::Curve { question, vary } => {
+                let (model, question) = self.model_and_question(&question)?;
+                Ok(Reply::Curve(curve(model, &question, &vary)?))
             }
             Request::Contacts { question } => {
                 let conditions = question.conditions().map_err(Refusal::of_message)?;
                 let model = self.model(&question.model.changes())?;
                 Ok(Reply::Contacts(Box::new(contact_list(model, &conditions, None)?)))
             }
-            Request::Explain { question, points } => {
+            Request::Explain { question } => {
                 let (model, question) = self.model_and_question(&question)?;
-                let points = points.as_deref().unwrap_or_else(|| model.hardpoints());
-                Ok(Reply::Explained(Explanation::of_points(model, &question, points)?))
+                Ok(Reply::Explained(explain(model, &question)?))
             }
             Request::Solve { question, unknown, mass, within } => {
                 let (model, question) = self.model_and_question(&question)?;
@@ -326,8 +327,8 @@ impl Session {
         }
     }
 
-    /// Result at the pose of a question, with the scene if the changes of the model are new, and m̄ over the range `vary`.
-    fn show(&mut self, request: &QuestionRequest, vary: Option<&str>) -> Result<Shown, Refusal> {
+    /// Result at the pose of a question, with the scene if the changes of the model are new.
+    fn show(&mut self, request: &QuestionRequest) -> Result<Shown, Refusal> {
         let changes = request.model.changes();
         let is_new = changes != self.shown;
         let model = self.model(&changes)?;
@@ -335,11 +336,10 @@ impl Session {
         let question = request.question().map_err(Refusal::of_message)?;
         let result = mass_with_frames(model, &question);
         let frames = if result.is_err() { link_frames(model, &question).ok() } else { None };
-        let curve = vary.map(|vary| curve(model, &question, vary).into());
         if is_new {
             self.shown = changes;
         }
-        Ok(Shown { scene, result: result.into(), frames, curve })
+        Ok(Shown { scene, result: result.into(), frames })
     }
 
     /// Model and question of a request.

@@ -155,9 +155,9 @@ fn a_moved_hardpoint_gives_the_mass_of_the_moved_design() {
     open(&mut session, &path);
     let shift = [0.0, 0.002, 0.005];
     let table = |moves: Value| json!({ "path": path.to_string_lossy(), "move": moves });
+    let asked = |moves: Value| json!({ "model": table(moves), "contact": { "at": "spring" } });
     let show = |session: &mut Session, moves: Value| {
-        let question = json!({ "model": table(moves), "contact": { "at": "spring" } });
-        ask(session, &json!({ "do": "show", "question": question, "vary": "wheel-travel=-20mm:40mm:7" }))
+        ask(session, &json!({ "do": "show", "question": asked(moves) }))
     };
     let reply = show(&mut session, json!({ "lower_ball": shift }));
     let model = Model::load(&path.to_string_lossy(), DEFAULT_MAX_SIZE, &LoadOptions::default()).unwrap();
@@ -168,7 +168,9 @@ fn a_moved_hardpoint_gives_the_mass_of_the_moved_design() {
     let expected = mass(&moved, &question).unwrap().effective_mass;
     assert_eq!(reply["ok"]["result"]["ok"]["report"]["effective_mass"].as_f64(), expected);
     assert!(reply["ok"]["scene"].is_object(), "the scene has changed");
-    let rows = reply["ok"]["curve"]["ok"]["rows"].as_array().unwrap().clone();
+    let moved_question = asked(json!({ "lower_ball": shift }));
+    let curve = json!({ "do": "curve", "question": moved_question, "vary": "wheel-travel=-20mm:40mm:7" });
+    let rows = ask(&mut session, &curve)["ok"]["rows"].as_array().unwrap().clone();
     assert_eq!(rows.len(), 7);
     assert!(rows.iter().all(|row| row["mass"].as_f64().is_some()));
     // The row at no travel is the pose of the question.
@@ -510,13 +512,9 @@ fn contacts_and_sensitivities_are_those_of_the_changed_design() {
     let expected = mass(&model.with_changes(&changes).unwrap(), &native).unwrap().effective_mass;
     assert_eq!(Some(moved[0]), expected);
     assert!(moved.len() == first.len() && moved.len() > 4 && first[0] > moved[0] + 1.0, "{first:?}");
-    let explain = |session: &mut Session, points: Value| {
-        let request = json!({ "do": "explain", "question": question(json!({})), "points": points });
-        ask(session, &request)["ok"]["points"].as_array().unwrap().clone()
-    };
-    let all = explain(&mut session, Value::Null);
-    let one = explain(&mut session, json!(["lower_ball"]));
-    assert!(one.len() == 1 && all.len() > 10 && all.contains(&one[0]), "{one:?}");
+    let explained = ask(&mut session, &json!({ "do": "explain", "question": question(json!({})) }));
+    let points = explained["ok"]["points"].as_array().unwrap();
+    assert!(points.len() > 10 && points.iter().all(|point| point["per_metre"].is_array()), "{points:?}");
 }
 
 /// A search by a hardpoint and by a mass reaches the required m̄ at the contact of the question.
@@ -553,18 +551,20 @@ fn a_curve_keeps_an_independent_travel() {
     let mut session = Session::new();
     let path = models().join("suspensions/solid-axle-panhard.toml");
     open(&mut session, &path);
-    let mut shown = |travel: Value| {
-        let question = json!({ "model": { "path": path.to_string_lossy() }, "contact": { "at": "spring_left" },
-                               "pose": { "travel": travel } });
-        ask(&mut session, &json!({ "do": "show", "question": question, "vary": "heave=-10mm:10mm:3" }))["ok"]
-            .clone()
+    let question = |travel: Value| {
+        json!({ "model": { "path": path.to_string_lossy() }, "contact": { "at": "spring_left" },
+                "pose": { "travel": travel } })
     };
-    let rolled = shown(json!(["roll=15mm"]));
-    let at_pose = rolled["result"]["ok"]["report"]["effective_mass"].as_f64().unwrap();
-    let row = &rolled["curve"]["ok"]["rows"][1];
+    let mut middle_row = |travel: Value| {
+        let curve = json!({ "do": "curve", "question": question(travel), "vary": "heave=-10mm:10mm:3" });
+        ask(&mut session, &curve)["ok"]["rows"][1].clone()
+    };
+    let row = middle_row(json!(["roll=15mm"]));
+    let straight = middle_row(json!([]))["mass"].as_f64().unwrap();
+    let rolled = ask(&mut session, &json!({ "do": "show", "question": question(json!(["roll=15mm"])) }));
+    let at_pose = rolled["ok"]["result"]["ok"]["report"]["effective_mass"].as_f64().unwrap();
     assert_eq!(row["at"].as_f64(), Some(0.0));
     assert!((row["mass"].as_f64().unwrap() / at_pose - 1.0).abs() < RELATIVE, "{row}, {at_pose}");
-    let straight = shown(json!([]))["curve"]["ok"]["rows"][1]["mass"].as_f64().unwrap();
     assert!((straight / at_pose - 1.0).abs() > RELATIVE, "the roll changes the mass");
 }
 

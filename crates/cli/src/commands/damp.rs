@@ -5,7 +5,7 @@ use crate::document::{self, Document};
 use crate::files::contents::{self, Contents, TABLES_AND_PICTURES};
 use crate::files::csv::Cell;
 use crate::files::output::record_input;
-use crate::terminal::explanation::named_contact;
+use crate::terminal::explanation::{CONTACT, body_of, named_contact};
 use crate::terminal::failure::Failure;
 use crate::terminal::limits;
 use crate::terminal::number::{self, load, number, signed, upper_bound, with_unit};
@@ -91,10 +91,11 @@ pub fn print(report: &DampingReport, format: CheckFormat) -> Result<(), Failure>
 pub fn add_results<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
     out.results(results(report));
     let contact = report.named_contact.as_ref().map_or_else(Vec::new, named_contact);
+    let contact = contact.into_iter().filter(|(name, _)| *name != CONTACT);
     out.facts([headline(report)].into_iter().chain(contact).chain(facts(report)));
 }
 
-/// Adds the parameters of all requested simulators: the text to paste first, then what it leaves out; the other numbers are details.
+/// Adds the parameters of all requested simulators: the text to paste first, then its limits; the other numbers are details.
 pub fn add_exports<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
     for (name, export) in &report.exports {
         out.heading(format!("{} ({name})", export.title));
@@ -107,12 +108,15 @@ pub fn add_exports<'a>(report: &'a DampingReport, out: &mut Document<'a>) {
         for snippet in export.snippets.iter().take(shown) {
             out.code(snippet.title, &*snippet.text);
         }
-        let facts = export_facts(export, is_short);
+        // The last assumption of a force curve is the spring in its place.
+        let first =
+            export.assumptions.len().saturating_sub(usize::from(report.damper.stiffness_curve.is_some()));
+        let facts = export_facts(export, is_short, if is_short { first } else { 0 });
         out.facts(facts.into_iter().map(|(name, value)| (format!("  {name}"), value)));
         if is_short {
-            let others: Vec<&str> = export.snippets.iter().skip(1).map(|snippet| snippet.title).collect();
-            let others = if others.is_empty() { String::new() } else { format!("{}, ", others.join(", ")) };
-            out.note(format!("  {others}all parameters, assumptions, measurements and sources: --details"));
+            let others = export.snippets.iter().skip(1).map(|snippet| format!("{}, ", snippet.title));
+            let (others, count) = (others.collect::<String>(), export.assumptions.len());
+            out.note(format!("  {others}{count} assumptions, measurements, sources: --details"));
         } else if !export.sources.is_empty() {
             out.note(format!("  sources: {}", export.sources.join("; ")));
         }
@@ -142,10 +146,13 @@ fn samples(report: &DampingReport) -> Result<Vec<Sample>, Failure> {
     Ok(samples.map_err(percuss_study::StudyError::from)?)
 }
 
-/// Name and value of the effective mass, or of the effective inertia for a rotational stop.
+/// Name and value of the effective mass, or of the effective inertia for a rotational stop, with its named contact.
 fn headline(report: &DampingReport) -> (&'static str, String) {
     let units = units(report);
-    (units.name, format!("{} {}", number(report.effective_mass), units.mass))
+    let place = report.named_contact.as_ref().map_or_else(String::new, |contact| {
+        format!(" at {} ({}), on {}", contact.name, contact.kind, body_of(contact))
+    });
+    (units.name, format!("{} {}{place}", number(report.effective_mass), units.mass))
 }
 
 /// Factor from the SI unit of compressions (m, rad) to the displayed unit (mm, mrad).
@@ -176,7 +183,7 @@ fn results(report: &DampingReport) -> Vec<(String, String)> {
                 format!("damping {for_restitution} ({law}{ratio})"),
             ));
             results.extend(damper.dissipation.map(|d| {
-                let meaning = "or the Hunt–Crossley dissipation at this speed, in place of the damping";
+                let meaning = "or Hunt–Crossley dissipation at this speed";
                 (format!("{} s/{length}", number(d)), meaning.to_owned())
             }));
         }
@@ -230,7 +237,7 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
             text += &format!(", {} requested (error {error}: this law is an approximation)", number(e));
         }
         if weight {
-            text += "; a weight that no spring carries leaves almost no rebound. Use a faster impact or a stiffer contact";
+            text += "; near 0 if no spring carries the weight";
         }
         facts.push(("restitution", text));
     }
@@ -242,15 +249,20 @@ pub fn facts(report: &DampingReport) -> Vec<(&'static str, String)> {
             .ends_at
             .map(|depth| format!("unknown: the motion ends after {} {shown}", number(SMALL * depth)));
         let text: Vec<String> = [over, ends, slope].into_iter().flatten().collect();
-        facts.push(("change of m̄", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
+        // The result with varying m̄ contains the change.
+        if details_are_shown() || report.over_stroke.is_none() {
+            facts.push(("change of m̄", if text.is_empty() { "unknown".into() } else { text.join(", ") }));
+        }
     }
     if let Some(stroke) = report.over_stroke {
+        let change = 100.0 * (stroke.mass_at_max_penetration / report.effective_mass - 1.0);
         facts.push((
             "with varying m̄",
             format!(
-                "restitution {}, compression {} {shown}, {} {mass_unit} at the largest compression",
+                "restitution {}, compression {} {shown}, m̄ {} % to {} {mass_unit}",
                 number(stroke.restitution),
                 number(SMALL * stroke.max_penetration),
+                signed(change, 2),
                 number(stroke.mass_at_max_penetration)
             ),
         ));
@@ -304,9 +316,8 @@ pub fn unit_power(exponent: f64) -> String {
     if exponent == 1.0 { String::new() } else { format!("^{}", number(exponent)) }
 }
 
-/// Parameters, errors and assumptions of one simulator. `is_short`: only what limits the text to paste, and the last assumptions, which
-/// depend on the model.
-fn export_facts(export: &ExportRecord, is_short: bool) -> Vec<(String, String)> {
+/// Parameters, errors and assumptions of one simulator. `is_short`: only what limits the text to paste; `first`: first assumption shown.
+fn export_facts(export: &ExportRecord, is_short: bool, first: usize) -> Vec<(String, String)> {
     let mut facts = Vec::new();
     let mut line = |name: &str, text: &str| facts.push((name.to_owned(), text.to_owned()));
     if !is_short {
@@ -323,13 +334,13 @@ fn export_facts(export: &ExportRecord, is_short: bool) -> Vec<(String, String)> 
             .map_or_else(String::new, |b| format!(", restitution within {}", upper_bound(b)));
         line("time step", &format!("{} s{bound}", number(step)));
     }
-    for penetration in &export.penetrations {
+    for penetration in export.penetrations.iter().filter(|_| !is_short) {
         let solver =
             if penetration.solver.is_empty() { String::new() } else { format!(" ({})", penetration.solver) };
         line("compression", &format!("{} m{}{solver}", number(1e3 * penetration.value), penetration.unit));
     }
-    line("two sides", export.combines);
     if !is_short {
+        line("two sides", export.combines);
         if export.measured.is_empty() {
             line("measured", "not measured: based on source or manual, and tested in a model of the law");
         }
@@ -341,7 +352,6 @@ fn export_facts(export: &ExportRecord, is_short: bool) -> Vec<(String, String)> 
     for missing in &export.missing {
         line("missing", missing);
     }
-    let first = if is_short { export.assumptions.len().saturating_sub(limits::ASSUMPTIONS_SHOWN) } else { 0 };
     for (i, assumption) in export.assumptions.iter().enumerate().skip(first) {
         line("assumes", &format!("{}. {assumption}", i + 1));
     }

@@ -60,8 +60,7 @@ fn ratio_per_travel(ratio: Option<f64>, point: &str, direction: Option<[f64; 3]>
 
 /// Name, gap and wheel travel of a named contact.
 pub fn named_contact(contact: &NamedContactRecord) -> Vec<(&'static str, String)> {
-    let mut facts =
-        vec![("contact", format!("{} ({}), on {}", contact.name, contact.kind, body_of(contact)))];
+    let mut facts = vec![(CONTACT, format!("{} ({}), on {}", contact.name, contact.kind, body_of(contact)))];
     facts.extend(travel_and_gap(contact).map(|text| ("travel and gap", text)));
     facts.extend(both_stops(contact));
     facts
@@ -104,6 +103,9 @@ pub fn both_stops(contact: &NamedContactRecord) -> Option<(&'static str, String)
         format!("{} kg if {others} closes at the same speed; above: this stop alone", number(together));
     Some(("both stops", text))
 }
+
+/// Name of the fact with the name and the body of a named contact.
+pub const CONTACT: &str = "contact";
 
 /// Body of a named contact, with the damper of a stop on its rod.
 pub fn body_of(contact: &NamedContactRecord) -> String {

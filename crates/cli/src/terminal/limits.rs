@@ -9,8 +9,6 @@ pub const KILO: f64 = 1e3;
 pub const DEFAULT_TOLERANCE: f64 = 1e-9;
 /// Number of warnings or notes of one kind shown in full: enough to recognise their common cause.
 pub const DIAGNOSTICS_SHOWN: usize = 3;
-/// Assumptions of a simulator without --details: the last ones, which depend on the model and the impact.
-pub const ASSUMPTIONS_SHOWN: usize = 3;
 /// Largest number of differences per design in the text of a comparison; JSON has all differences.
 pub const CHANGES_SHOWN: usize = 6;
 /// Share of the effective mass below which a contribution is only counted, because it would be shown as 0.0 %.
@@ -80,7 +78,8 @@ pub const OUTLIER_DISTANCE: f64 = 2.2;
 pub const FLAT_CURVE: f64 = 1e-4;
 /// Relative difference below which two curves of a report are the same: less than the width of a line.
 pub const SAME_CURVE: f64 = 1e-6;
-/// Rows of a sweep with the effect of the tolerances in a report; each takes about twelve evaluations per hardpoint.
+/// Rows of a sweep with the effect of the tolerances in a report; each takes some ten evaluations, and twelve per hardpoint
+/// if designs are not near one another.
 pub const TOLERANCE_ROWS: usize = 9;
 /// The same for several contacts together: with more than a third as many contacts, figures have no tolerances.
 pub const TOLERANCE_ROWS_OF_ALL: usize = 20;

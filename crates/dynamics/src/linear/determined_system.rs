@@ -25,6 +25,13 @@ impl DeterminedSystem {
 
     /// Solution for a target; `None` if the rows exclude one another.
     pub fn solve(&self, target: &DVector<f64>) -> Option<DVector<f64>> {
+        let x = self.nearest(target)?;
+        let residual = (&self.matrix * &x - target).amax();
+        (residual <= UNDETERMINED_MOTION * (target.amax() + self.scale * x.amax())).then_some(x)
+    }
+
+    /// Solution by least squares; `None` if a number is not finite.
+    pub(crate) fn nearest(&self, target: &DVector<f64>) -> Option<DVector<f64>> {
         let mut projected = target.clone();
         self.qr.q_tr_mul(&mut projected);
         let mut x = projected.rows(0, self.matrix.ncols()).into_owned();
@@ -32,7 +39,6 @@ impl DeterminedSystem {
             return None;
         }
         self.qr.p().inv_permute_rows(&mut x);
-        let residual = (&self.matrix * &x - target).amax();
-        (residual <= UNDETERMINED_MOTION * (target.amax() + self.scale * x.amax())).then_some(x)
+        x.iter().all(|x| x.is_finite()).then_some(x)
     }
 }

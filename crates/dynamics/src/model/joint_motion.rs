@@ -26,6 +26,12 @@ impl JointMotion {
         Self { kind: JointKind::Floating, axis: Vector3::z(), plane: (Vector3::x(), Vector3::y()) }
     }
 
+    /// True for a motion of the same kind whose axes differ by at most `most` in each component.
+    pub fn is_near(&self, other: &Self, most: f64) -> bool {
+        let pairs = [(self.axis, other.axis), (self.plane.0, other.plane.0), (self.plane.1, other.plane.1)];
+        self.kind == other.kind && pairs.iter().all(|(own, other)| (own - other).amax() <= most)
+    }
+
     /// Unit vector of the axis in the joint frame; unused for joints without an axis.
     pub fn axis(&self) -> Vector3<f64> {
         self.axis

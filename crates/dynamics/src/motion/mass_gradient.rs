@@ -53,12 +53,12 @@ impl MassGradient {
 }
 
 /// Twists and wrenches of all bodies in the response, in root axes about the contact point.
-struct BodyResponse<'a> {
+pub(in crate::motion) struct BodyResponse<'a> {
     pose: &'a Pose,
     response: &'a ContactResponse,
     mass: f64,
     /// Tree velocities v*.
-    velocities: Vec<f64>,
+    pub velocities: Vec<f64>,
     twists: Vec<Twist<f64>>,
     /// Wrenches on each body: momentum, closure and contact impulses.
     impulses: Vec<Wrench<f64>>,
@@ -87,9 +87,7 @@ impl Pose {
         if !RemarkFlags::of_error(response.effective_mass, response.effective_mass_error()).is_empty() {
             return Ok(None);
         }
-        let mut bodies = BodyResponse::new(self, &response, mass);
-        bodies.add_contact(contact);
-        let multipliers = bodies.multipliers();
+        let (mut bodies, multipliers) = BodyResponse::with_multipliers(self, &response, mass, contact);
         bodies.add_constraints(&multipliers);
         let base = bodies.base_gradient(contact);
         Ok(Some(MassGradient { effective_mass: mass, joints: bodies.gradient(), base }))
@@ -105,11 +103,24 @@ fn wrench_of(power: impl Fn(&Twist<f64>) -> f64) -> Wrench<f64> {
 }
 
 /// Frame in axes of the root, relative to a point.
-fn about(frame: &Transform<f64>, point: &Vector3<f64>) -> Transform<f64> {
+pub(in crate::motion) fn about(frame: &Transform<f64>, point: &Vector3<f64>) -> Transform<f64> {
     Transform::new(frame.rotation, frame.translation - point)
 }
 
 impl<'a> BodyResponse<'a> {
+    /// Twists, momenta and contact impulses of all bodies, and the multipliers λ of the rows of each group.
+    pub fn with_multipliers(
+        pose: &'a Pose,
+        response: &'a ContactResponse,
+        mass: f64,
+        contact: &Contact,
+    ) -> (Self, Vec<Vec<f64>>) {
+        let mut bodies = Self::new(pose, response, mass);
+        bodies.add_contact(contact);
+        let multipliers = bodies.multipliers();
+        (bodies, multipliers)
+    }
+
     /// Twists and momenta of all bodies.
     fn new(pose: &'a Pose, response: &'a ContactResponse, mass: f64) -> Self {
         let (model, kinematics) = (pose.assembly.model(), &pose.kinematics);

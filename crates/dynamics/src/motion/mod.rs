@@ -7,6 +7,7 @@ pub(crate) mod gap;
 pub(crate) mod joint_frames;
 pub(crate) mod limits;
 pub(crate) mod mass_gradient;
+pub(crate) mod nearby_designs;
 pub(crate) mod operational_inertia;
 pub(crate) mod points;
 pub(crate) mod rigid_body;

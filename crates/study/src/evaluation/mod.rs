@@ -6,6 +6,7 @@ pub(crate) mod estimate;
 pub(crate) mod friction_thresholds;
 pub(crate) mod joint_ranges;
 pub(crate) mod named_contact;
+pub(crate) mod nearby_masses;
 pub(crate) mod passed_stops;
 pub(crate) mod prepared_question;
 pub(crate) mod random_rows;

@@ -209,15 +209,15 @@ impl<'a> PreparedQuestion<'a> {
         if self.wheel.is_some() { self.contact_at(pose) } else { *fixed }
     }
 
+    /// Contact with its point as given, in the frame of the contact link.
+    pub fn contact_in_link(&self) -> Contact {
+        let point = Vector3::from(self.question.point);
+        Contact { link: self.link, against: self.against, point, normal: self.normal }
+    }
+
     /// Contact, if the point is given in the frame of the contact link.
     pub fn pose_independent_contact(&self) -> Option<Contact> {
-        let point = Vector3::from(self.question.point);
-        self.point_is_in_link().then_some(Contact {
-            link: self.link,
-            against: self.against,
-            point,
-            normal: self.normal,
-        })
+        self.point_is_in_link().then(|| self.contact_in_link())
     }
 
     /// Finding that reports the converted coordinates of a point given in another frame; `condition` names the pose

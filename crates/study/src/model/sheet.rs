@@ -2,14 +2,17 @@
 
 use crate::thresholds::LARGEST_STUDY;
 use percuss_formats::{LoadError, SharedFiles, Source};
-use percuss_suspension::{ChangedFile, ImportOptions, Imported, Rack, changed_file, import};
+use percuss_suspension::{ChangedFile, ImportOptions, Imported, Rack, ReadFile, changed_file};
 use std::path::Path;
+use std::sync::{Arc, OnceLock};
 
 /// Sheet, table or JSON file of a suspension in memory, with import options.
 #[derive(Clone, Debug)]
 pub struct Sheet {
     source: Source,
     options: ImportOptions,
+    /// The file as read by the first import.
+    read: Arc<OnceLock<Result<ReadFile, LoadError>>>,
 }
 
 /// File name extensions of suspension files.
@@ -31,7 +34,7 @@ impl Sheet {
 
     /// Suspension file with import options.
     pub(crate) fn with_options(source: &Source, options: &ImportOptions) -> Self {
-        Self { source: source.clone(), options: options.clone() }
+        Self { source: source.clone(), options: options.clone(), read: Arc::default() }
     }
 
     /// Store of the file and of the table that it names.
@@ -51,7 +54,7 @@ impl Sheet {
 
     /// Same sheet, imported with joints in place of massless rods, and with a massless rack that slides if it `steers`.
     pub(crate) fn as_movable(&self, steers: bool) -> Self {
-        let mut sheet = self.clone();
+        let mut sheet = Self::with_options(&self.source, &self.options);
         sheet.options.movable = true;
         if steers {
             sheet.options.rack = Some(Rack::Sliding { mass: 0.0 });
@@ -61,8 +64,7 @@ impl Sheet {
 
     /// Imports the file with moved points; `moves`: name of the point and displacement, m, in the axes of the sheet.
     pub(crate) fn import(&self, moves: &[(String, [f64; 3])]) -> Result<Imported, LoadError> {
-        let mut options = self.options.clone();
-        options.moves.extend_from_slice(moves);
-        import(&self.source, &options)
+        let read = self.read.get_or_init(|| ReadFile::new(&self.source, &self.options));
+        read.as_ref().map_err(Clone::clone)?.import(moves)
     }
 }

@@ -314,7 +314,10 @@ fn is_immobile(fault: &Fault) -> bool {
 }
 
 /// Points of the travels of a question. A wheel that heaves and rolls moves by the sum.
-fn moved_points(mechanism: &Mechanism, question: &MassQuestion) -> Result<Vec<MovedPoint>, StudyError> {
+pub(crate) fn moved_points(
+    mechanism: &Mechanism,
+    question: &MassQuestion,
+) -> Result<Vec<MovedPoint>, StudyError> {
     for (i, one) in question.travel.iter().enumerate() {
         let is_wheel = |travel: &&GivenTravel| matches!(travel.moved, Moved::Wheels(_));
         let others = question.travel[..i].iter().filter(is_wheel);

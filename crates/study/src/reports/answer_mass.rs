@@ -148,7 +148,7 @@ fn requested_report(
         report.certificate = Some(mass_certificate(evaluated));
     }
     if requested.explain {
-        report.explanation = explain_parts(evaluated, question, true)?;
+        report.explanation = explain_parts(evaluated, question, true);
     }
     if requested.friction_thresholds {
         report.friction_thresholds = thresholds_of(evaluated)?;

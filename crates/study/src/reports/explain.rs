@@ -2,9 +2,10 @@
 //! hardpoint of a sheet.
 //!
 //! m̄ = min { vᵀMv : Av = 0, jv = 1 } changes with a parameter p of M alone by dm̄/dp = v*ᵀ (∂M/∂p) v*; the
-//! derivative of the motion v* is not needed (docs/reference/FORMULAS.md, F38). Hardpoints change A and j too; their
-//! rates are central differences of complete evaluations.
+//! derivative of the motion v* is not needed (docs/reference/FORMULAS.md, F38). Hardpoints change A, j and the pose too; their
+//! rates are differences of designs near the pose ([`NearbyMasses`]), or of complete evaluations.
 
+use crate::evaluation::nearby_masses::{NearbyMasses, moved};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
@@ -97,48 +98,23 @@ pub struct PointChange {
 /// # Errors
 /// [`StudyError`], as for `mass`.
 pub fn explain(model: &Model, question: &MassQuestion) -> Result<Option<Explanation>, StudyError> {
-    Explanation::of_points(model, question, model.hardpoints())
+    Ok(explain_parts(&EvaluatedQuestion::new(model, question)?, question, true))
 }
 
-impl Explanation {
-    /// Sensitivities as for [`explain`], of the hardpoints to the named ones only: each takes twelve evaluations.
-    ///
-    /// # Errors
-    /// [`StudyError`], as for `mass`.
-    pub fn of_points(
-        model: &Model,
-        question: &MassQuestion,
-        points: &[String],
-    ) -> Result<Option<Self>, StudyError> {
-        explain_evaluated(&EvaluatedQuestion::new(model, question)?, question, points)
-    }
-}
-
-/// Sensitivities as for [`explain`], at the evaluated contact of `question`; `with_points`: also those of the hardpoints, which take twelve
-/// evaluations each.
+/// Sensitivities as for [`explain`], at the evaluated contact of `question`; `with_points`: also those of the hardpoints, which together
+/// take the time of some evaluations.
 pub(crate) fn explain_parts(
     evaluated: &EvaluatedQuestion,
     question: &MassQuestion,
     with_points: bool,
-) -> Result<Option<Explanation>, StudyError> {
-    let points = if with_points { evaluated.prepared.model.hardpoints() } else { &[] };
-    explain_evaluated(evaluated, question, points)
-}
-
-/// Sensitivities at an evaluated contact, of the hardpoints to the named ones.
-fn explain_evaluated(
-    evaluated: &EvaluatedQuestion,
-    question: &MassQuestion,
-    points: &[String],
-) -> Result<Option<Explanation>, StudyError> {
-    let model = evaluated.prepared.model;
+) -> Option<Explanation> {
     let response = &evaluated.result.response;
-    let EffectiveMass::Finite(mass) = response.effective_mass else { return Ok(None) };
+    let EffectiveMass::Finite(mass) = response.effective_mass else { return None };
     if response.singular_pose {
-        return Ok(None);
+        return None;
     }
     let (links, rotors) = (links(evaluated, mass), rotors(evaluated));
-    let points = rates_of_points(model, question, points);
+    let points = if with_points { rates_of_points(evaluated, question) } else { Vec::new() };
     let mut by_mass: Vec<&LinkSensitivity> = links.iter().filter(|link| link.per_kilogram > 0.0).collect();
     by_mass.sort_by(|a, b| b.per_kilogram.total_cmp(&a.per_kilogram));
     let of_mass =
@@ -156,14 +132,14 @@ fn explain_evaluated(
     let mut by_place: Vec<PointChange> = points.iter().filter_map(steepest).collect();
     by_place.sort_by(|a, b| b.lowers_by.total_cmp(&a.lowers_by));
     by_place.truncate(LISTED_CHANGES);
-    Ok(Some(Explanation {
+    Some(Explanation {
         effective_mass: mass,
         most_per_kilogram: by_mass.iter().take(LISTED_CHANGES).map(of_mass).collect(),
         most_per_millimetre: by_place,
         links,
         rotors,
         points,
-    }))
+    })
 }
 
 /// Sensitivities to the mass and the centre of mass of each link.
@@ -216,24 +192,15 @@ fn rotors(evaluated: &EvaluatedQuestion) -> Vec<RotorSensitivity> {
     mechanism.joint_ids().zip(&response.joint_velocities).filter_map(of_joint).collect()
 }
 
-/// Fourth-order central differences: (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h. The error estimate is the
-/// difference from the second-order formula.
-fn rates_of_points(model: &Model, question: &MassQuestion, points: &[String]) -> Vec<PointSensitivity> {
-    let step = POINT_STEP * model.mechanism.characteristic_length();
-    let rate = |name: &String, axis: usize| -> Option<(f64, f64)> {
-        let at = |parts: f64| {
-            let mut by = [0.0; 3];
-            by[axis] = parts * step;
-            let moves = vec![(name.clone(), by)];
-            changed_mass(model, question, &Changes { moves, ..Changes::default() })
-        };
-        let (one, two) = (at(1.0)? - at(-1.0)?, at(2.0)? - at(-2.0)?);
-        let rate = (8.0 * one - two) / (12.0 * step);
-        Some((rate, (rate - one / (2.0 * step)).abs()))
-    };
+/// Rates by each coordinate of the hardpoints.
+fn rates_of_points(evaluated: &EvaluatedQuestion, question: &MassQuestion) -> Vec<PointSensitivity> {
+    let model = evaluated.prepared.model;
+    let points = model.hardpoints();
+    let nearby = if points.is_empty() { None } else { NearbyMasses::new(evaluated, question) };
     let of_point = |name: &String| {
-        let rates: Vec<Option<(f64, f64)>> = (0..3).map(|axis| rate(name, axis)).collect();
-        let rates: Option<Vec<(f64, f64)>> = rates.into_iter().collect();
+        let near = |axis| nearby.as_ref().and_then(|nearby| nearby.rate(name, axis));
+        let rates = (0..3).map(|axis| near(axis).or_else(|| difference(model, question, name, axis)));
+        let rates: Option<Vec<(f64, f64)>> = rates.collect();
         PointSensitivity {
             point: name.clone(),
             per_metre: rates.as_ref().map(|r| [r[0].0, r[1].0, r[2].0]),
@@ -241,6 +208,19 @@ fn rates_of_points(model: &Model, question: &MassQuestion, points: &[String]) ->
         }
     };
     points.par_iter().map(of_point).collect()
+}
+
+/// Fourth-order central difference of complete evaluations, (8 (f(h) − f(−h)) − (f(2h) − f(−2h))) / 12h, and its error estimate, the
+/// difference from the second-order formula, kg/m.
+fn difference(model: &Model, question: &MassQuestion, name: &str, axis: usize) -> Option<(f64, f64)> {
+    let step = POINT_STEP * model.mechanism.characteristic_length();
+    let at = |parts: f64| {
+        let changes = Changes { moves: vec![moved(name, axis, parts * step)], ..Changes::default() };
+        changed_mass(model, question, &changes)
+    };
+    let (one, two) = (at(1.0)? - at(-1.0)?, at(2.0)? - at(-2.0)?);
+    let rate = (8.0 * one - two) / (12.0 * step);
+    Some((rate, (rate - one / (2.0 * step)).abs()))
 }
 
 /// m̄ of the changed model; `None` without a finite result or at a singular pose.

@@ -117,7 +117,7 @@ pub(crate) fn tolerances_of(
         return Err(StudyError::input(Field::Samples, why));
     }
     let with_points = tolerance.point > 0.0;
-    let Some(explanation) = explain_parts(evaluated, question, with_points)? else { return Ok(None) };
+    let Some(explanation) = explain_parts(evaluated, question, with_points) else { return Ok(None) };
     let rates = MassDeviations::from_explanation(model, question, &explanation, tolerance);
     let root = |all: &[ToleranceEffect]| all.iter().map(|e| e.change * e.change).sum::<f64>().sqrt();
     let all = rates.concatenated();

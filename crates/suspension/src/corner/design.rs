@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 
 /// Step in building a mechanism. The link name `SECTION.on` stands for the link chosen in the file. A `comment`
 /// describes the link in the model; without it, the comment names the point of the link frame.
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, rename_all = "snake_case")]
 pub(crate) enum Part {
     /// Link on a hinge through two points; the link frame is at the first. `outer`: end of the arm in the drawing;
@@ -79,7 +79,7 @@ pub(crate) enum GivenBody {
 }
 
 /// Data of the left side, and of the parts common to both sides, in metres and the axes of ISO 8855.
-#[derive(Default)]
+#[derive(Clone, Debug, Default)]
 pub(crate) struct Design {
     /// Unit of the file's lengths, for messages.
     pub unit: LengthUnit,
@@ -119,7 +119,7 @@ pub(crate) struct Design {
 }
 
 /// Point that follows from hardpoints.
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields, untagged)]
 pub(crate) enum DerivedPoint {
     /// Point of a line, at a part of the distance from the first end.

@@ -24,6 +24,7 @@ use percuss_units::{Dimension, LengthUnit, Unit};
 use std::collections::BTreeMap;
 
 /// Content of a sheet in metres and the axes of ISO 8855. Points of a side are those of the left side.
+#[derive(Clone, Debug)]
 pub(in super::super) struct Sheet {
     pub template: &'static Template,
     pub name: String,

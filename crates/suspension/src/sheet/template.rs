@@ -10,7 +10,7 @@ use std::collections::BTreeMap;
 use toml::Spanned;
 
 /// Template of a sheet. The example values are invented and describe no actual vehicle.
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Template {
     pub name: String,
@@ -53,7 +53,7 @@ fn example_gaps() -> [(String, f64); 2] {
 }
 
 /// Description of each key of the sheets, and the parts that every template has.
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct Keys {
     /// Parts of the anti-roll bar.
@@ -67,7 +67,7 @@ pub(crate) struct Keys {
 }
 
 /// Body with example values.
-#[derive(Deserialize)]
+#[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(crate) struct ExampleBody {
     #[serde(default)]
@@ -83,7 +83,7 @@ pub(crate) struct ExampleBody {
 }
 
 /// Data of a body that a sheet must contain.
-#[derive(Clone, Copy, Default, Deserialize, PartialEq, Eq)]
+#[derive(Clone, Copy, Debug, Default, Deserialize, PartialEq, Eq)]
 #[serde(rename_all = "lowercase")]
 pub(crate) enum Shape {
     /// Mass, centre of mass, inertia.

@@ -5,7 +5,8 @@ use crate::kinematics::contact::Contact;
 use crate::kinematics::outcome::{EffectiveMass, ResponseError};
 use crate::motion::points::point_velocity::PointVelocity;
 use nalgebra::{DVector, Vector3};
-use percuss_mechanism::{JointId, LinkId};
+use percuss_mechanism::{JointId, LinkId, Mechanism};
+use percuss_spatial::Transform;
 
 /// Lowest point of a wheel that turns about a joint axis.
 ///
@@ -31,10 +32,21 @@ impl LowestPoint {
     /// # Panics
     /// If a link or the joint belongs to another mechanism.
     pub fn at(&self, pose: &Pose) -> Option<Vector3<f64>> {
-        let patch = pose.link(self.patch);
-        let centre = pose.link(self.centre).translation;
+        self.at_frames(pose.mechanism(), |link| pose.link(link))
+    }
+
+    /// The lowest point as for [`at`](Self::at), for given frames of the links in the world.
+    pub(in crate::motion) fn at_frames(
+        &self,
+        mechanism: &Mechanism,
+        frame: impl Fn(LinkId) -> Transform<f64>,
+    ) -> Option<Vector3<f64>> {
+        let patch = frame(self.patch);
+        let centre = frame(self.centre).translation;
         let radius = (patch.translation - centre).norm();
-        Some(patch.inverse_point(&Self::of_circle(&centre, &self.axis(pose), radius)?))
+        let joint = mechanism.joint(self.spin);
+        let axis = frame(joint.child()).vector(joint.axis());
+        Some(patch.inverse_point(&Self::of_circle(&centre, &axis, radius)?))
     }
 
     /// Lowest point of a circle, m: `centre` (m), unit `axis` and `radius` (m); `None` if the axis is vertical.

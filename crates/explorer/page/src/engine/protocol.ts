@@ -11,7 +11,7 @@ export interface CurveRow {
 }
 export interface Curve { name: string; unit: string; rows: CurveRow[]; diagnostics: DiagnosticRecord[] }
 export interface Shown {
-  scene: Scene | null; result: Outcome<PosedMass>; frames: number[] | null; curve: Outcome<Curve> | null;
+  scene: Scene | null; result: Outcome<PosedMass>; frames: number[] | null;
 }
 export interface Opened {
   scene: Scene; shapes: SceneShapes | null; contact: ContactTable; conditions: ConditionsTable; contacts: ContactListReport | null;
@@ -41,9 +41,10 @@ export interface Study {
 
 export type Request =
   | { do: 'open'; model: ModelTable; text: string; files?: Record<string, string>; shapes?: boolean }
-  | { do: 'show'; question: Study; vary?: string }
+  | { do: 'show'; question: Study }
+  | { do: 'curve'; question: Study; vary: string }
   | { do: 'contacts'; question: Study }
-  | { do: 'explain'; question: Study; points?: string[] }
+  | { do: 'explain'; question: Study }
   | { do: 'solve'; question: Study; unknown: string; mass: number; within: number }
   | { do: 'damp'; question: Study; damping: Record<string, unknown> }
   | { do: 'impact'; question: Study; impact: Record<string, unknown> }

@@ -168,9 +168,10 @@ export function vary(driver: Driver, count: number, downwards = false): string {
 
 export interface Part { text: string; downwards: boolean }
 
-/** The same range in parts, upwards and downwards from the row next to the design pose, at which loops are closed. For each
+/** The same range; with loops in parts, upwards and downwards from the row next to the design pose, at which loops are closed. For each
  * row before the first reachable row, the engine searches for about a second; rows beyond the last reachable row take no time. */
-export function varyOutward(driver: Driver, count: number): Part[] {
+export function parts(driver: Driver, count: number, hasLoops: boolean): Part[] {
+  if (!hasLoops) return [{ text: vary(driver, count), downwards: false }];
   const [low, high] = driver.range;
   const step = (high - low) / (count - 1);
   const first = Math.ceil(-low / step - 1e-9);

@@ -6,7 +6,7 @@ import type {
 } from '../engine/protocol';
 import { Answers } from './answers';
 import { filesOfModel, modelsOf, type FoundModel, type ModelFiles, type NamedFile } from './files';
-import { drivers, firstDriver, valueOf, vary, varyOutward, withValue, type Driver } from './drivers';
+import { drivers, firstDriver, valueOf, parts, vary, withValue, type Driver } from './drivers';
 import { endsOf, type End } from './ends';
 import { fromHash, toHash, type Start, type ViewName } from './link';
 import { MOST_VARIANTS, designKey, nextColour, nextName, type Variant } from './variants';
@@ -22,17 +22,15 @@ const STEPS_OF_END = 2;
 const POSES_OF_BAND = 9;
 /** Delay from the last change to the computations that are omitted during a drag, ms. */
 const REST = 250;
-/** Time between two results at the named contacts during a drag, ms. */
-const LISTING = 150;
+/** Time between two curves, and between two results at the named contacts, during a drag, ms. */
+const BESIDE = 300;
 /** Duration after which a computation is reported, ms. */
 const SLOW = 300;
 const LONGEST_HISTORY = 200;
 const MOST_TIMES = 400;
 
-/** Rows of the curve of a reply. */
-function rowsOf(reply: Outcome<Shown>): CurveRow[] | undefined {
-  return 'ok' in reply && reply.ok.curve && 'ok' in reply.ok.curve ? reply.ok.curve.ok.rows : undefined;
-}
+/** Rows of a curve. */
+const rowsOf = (curve: Outcome<Curve>): CurveRow[] | undefined => ('ok' in curve ? curve.ok.rows : undefined);
 
 export class Store {
   engine: Engine | undefined;
@@ -65,6 +63,7 @@ export class Store {
   /** Key of the design of `contacts`. */
   private listed = '';
   private listedAt = 0;
+  private curvedAt = 0;
   drivers: Driver[] = [];
   driver: Driver | undefined;
   variants: Variant[] = [];
@@ -257,26 +256,15 @@ export class Store {
     while (this.dirty && this.study) {
       this.dirty = false;
       const study = this.study;
-      const rows = this.gesture ? ROWS_OF_DRAG : ROWS;
       const asked = performance.now();
-      const { driver } = this;
-      const hasLoops = !!this.scene?.closures.length;
-      const parts = !driver ? [] : hasLoops ? varyOutward(driver, rows) : [{ text: vary(driver, rows), downwards: false }];
-      const reply = await this.ask<Shown>({ do: 'show', question: study, vary: parts[0]?.text });
+      const reply = await this.ask<Shown>({ do: 'show', question: study });
       if (!reply) break;
-      const found = rowsOf(reply);
-      if (parts[0]?.downwards) found?.reverse();
-      if (parts[1] && found) {
-        const below = await this.ask<Shown>({ do: 'show', question: study, vary: parts[1].text });
-        if (!below) break;
-        found.unshift(...(rowsOf(below)?.reverse() ?? []));
-      }
       this.times.push(performance.now() - asked);
       if (this.times.length > MOST_TIMES) this.times.shift();
       if ('refused' in reply) {
         this.problem = reply.refused;
       } else {
-        const { scene, result, frames, curve } = reply.ok;
+        const { scene, result, frames } = reply.ok;
         if (scene) this.scene = scene;
         if ('ok' in result) {
           this.posed = result.ok;
@@ -287,13 +275,12 @@ export class Store {
           this.problem = result.refused;
           this.frames = frames ?? this.frames;
         }
-        this.curve = curve ?? undefined;
-        this.ends = this.rows ? endsOf(this.rows, this.driver ? this.positionOf(this.driver) : 0) : [];
-        this.variation = undefined;
       }
       this.changed();
+      // The picture of a drag first; the curve follows, in a fast drag now and then.
+      if ((!this.gesture || !this.dirty || performance.now() - this.curvedAt > BESIDE) && !await this.drawCurve(study)) break;
       // Without delay for a newer change; in a drag, now and then.
-      if (!this.dirty && (!this.gesture || performance.now() - this.listedAt > LISTING)) await this.listContacts(study);
+      if (!this.dirty && (!this.gesture || performance.now() - this.listedAt > BESIDE)) await this.listContacts(study);
       if (!this.dirty && !this.gesture && this.fitRange()) this.dirty = true;
     }
     this.working = false;
@@ -303,6 +290,25 @@ export class Store {
       this.resting = this.atRest();
     }, REST);
     this.changed();
+  }
+
+  /** Requests the curve of a study; false after a stop of the engine. */
+  private async drawCurve(study: Study): Promise<boolean> {
+    const { driver } = this;
+    let curve: Outcome<Curve> | undefined;
+    for (const { text, downwards } of driver ? parts(driver, this.gesture ? ROWS_OF_DRAG : ROWS, !!this.scene?.closures.length) : []) {
+      const part = await this.ask<Curve>({ do: 'curve', question: study, vary: text });
+      if (!part) return false;
+      if (downwards) rowsOf(part)?.reverse();
+      if (curve) rowsOf(curve)?.unshift(...(rowsOf(part) ?? []));
+      else curve = part;
+    }
+    this.curvedAt = performance.now();
+    this.curve = curve;
+    this.ends = this.rows ? endsOf(this.rows, driver ? this.positionOf(driver) : 0) : [];
+    this.variation = undefined;
+    this.changed();
+    return true;
   }
 
   /** Starts the computations that are omitted during a drag. */
@@ -324,7 +330,7 @@ export class Store {
   }
 
   private get rows() {
-    return this.curve && 'ok' in this.curve ? this.curve.ok.rows : undefined;
+    return this.curve && rowsOf(this.curve);
   }
 
   private async refineEnds() {
@@ -336,9 +342,9 @@ export class Store {
         const high = Math.max(end.inside, end.outside);
         // The rows begin at the reachable side.
         const downwards = end.side === 'lower';
-        const reply = await this.ask<Shown>({ do: 'show', question: study!, vary: vary({ ...driver!, range: [low, high] }, ROWS_OF_END, downwards) });
-        if (this.study !== study || this.driver !== driver || !reply || !('ok' in reply) || !reply.ok.curve || !('ok' in reply.ok.curve)) return;
-        const refined = reply.ok.curve.ok.rows;
+        const reply = await this.ask<Curve>({ do: 'curve', question: study!, vary: vary({ ...driver!, range: [low, high] }, ROWS_OF_END, downwards) });
+        if (this.study !== study || this.driver !== driver || !reply || !('ok' in reply)) return;
+        const refined = reply.ok.rows;
         const [found] = endsOf(downwards ? refined.reverse() : refined, end.inside);
         if (!found || now === undefined) break;
         Object.assign(end, { inside: found.inside, outside: found.outside });
@@ -398,19 +404,13 @@ export class Store {
     return { study: this.study!, text: this.text, files: this.files, driver: this.driver?.name, view: this.view, hidesHints: this.hidesHints };
   }
 
-  /** Sensitivities, one hardpoint a request, so that a drag does not wait for all of them. */
+  /** Sensitivities to all hardpoints and masses: the time of some results. */
   private async explain() {
-    const { study, problem } = this;
-    if (problem || this.explained === study) return;
-    let found = null as Explanation | null;
-    for (const points of [[], ...(this.scene?.sheet?.hardpoints ?? []).map((point) => [point.name])]) {
-      const reply: Outcome<Explanation | null> | undefined = await this.ask({ do: 'explain', question: study!, points });
-      if (this.study !== study || this.gesture || !reply || !('ok' in reply)) return;
-      if (!reply.ok) break;
-      const before: Explanation['points'] = found?.points ?? [];
-      found = { ...reply.ok, points: [...before, ...reply.ok.points] };
-    }
-    this.set({ explanation: found, explained: study });
+    const { study } = this;
+    if (this.problem || this.explained === study) return;
+    const reply: Outcome<Explanation | null> | undefined = await this.ask({ do: 'explain', question: study! });
+    if (this.study !== study || this.gesture || !reply || !('ok' in reply)) return;
+    this.set({ explanation: reply.ok, explained: study });
   }
 
   /** True if the results at the named contacts belong to the displayed design. */

@@ -233,7 +233,7 @@ pub fn identify_contact_of(
     let mass = finite_mass(&evaluated)?;
     let mut report = identify_contact(asked, Some(mass))?;
     if let Some(compared) = report.compared.as_mut().filter(|compared| compared.agrees == Some(false))
-        && let Some(explanation) = explain_parts(&evaluated, question, false)?
+        && let Some(explanation) = explain_parts(&evaluated, question, false)
     {
         let changes = explanation.links.into_iter().map(|link| {
             let change = compared.difference / link.per_kilogram;
