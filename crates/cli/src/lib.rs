@@ -64,7 +64,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>) -> u8 {
         Ok(cli) => cli,
         Err(error) => return report_usage(&error.format(&mut Cli::definition()), &arguments),
     };
-    if let Err(failure) = unread_flags::refuse_unread(&matches) {
+    if let Err(failure) = unread_flags::refuse_unread(&matches, Cli::definition) {
         return failure.report();
     }
     report::show_notes(cli.notes);

@@ -1,8 +1,9 @@
-//! Flags without influence on the result of a command: they are refused, with the command or the flag that uses them.
+//! Flags without influence on the result of a command: they are refused, with the command or the flag that uses them, and the help leaves
+//! them out or states the condition.
 
 use crate::terminal::failure::Failure;
-use clap::ArgMatches;
 use clap::parser::ValueSource;
+use clap::{Arg, ArgMatches, Command};
 
 /// Flags of some commands without influence. Lists are separated by blanks.
 struct Unread {
@@ -15,16 +16,16 @@ struct Unread {
     reason: &'static str,
 }
 
-const UNREAD: [Unread; 14] = [
+const UNREAD: [Unread; 21] = [
     Unread {
-        commands: "map damp restitution identify response safe-speed extremes",
+        commands: "map damp restitution identify response safe-speed extremes generate export",
         flags: "estimate",
         with: "",
         without: "",
         reason: "percuss mass and percuss sweep show it",
     },
     Unread {
-        commands: "sweep map damp restitution identify response safe-speed extremes",
+        commands: "sweep map damp restitution identify response safe-speed extremes generate export",
         flags: "ratio_at",
         with: "",
         without: "",
@@ -109,20 +110,119 @@ const UNREAD: [Unread; 14] = [
     },
     Unread {
         commands: "map",
-        flags: "normal_frame shapes edge package",
+        flags: "shapes edge package",
         with: "directions",
         without: "",
-        reason: "a map of directions has neither normals nor facets",
+        reason: "a map of directions has no facets",
+    },
+    Unread {
+        commands: "map",
+        flags: "at normal along_line turning_normal cable normal_frame",
+        with: "",
+        without: "",
+        reason: "a map uses the outward normals of the surface, or with --directions all directions; use percuss mass for a single contact",
+    },
+    Unread {
+        commands: "map",
+        flags: "about_axis",
+        with: "",
+        without: "",
+        reason: "a map is about contact points; use percuss mass for the effective inertia about an axis",
+    },
+    Unread {
+        commands: "export",
+        flags: "tools",
+        with: "",
+        without: "",
+        reason: "the format of the file selects the simulator (--to)",
+    },
+    Unread {
+        commands: "export",
+        flags: "lock",
+        with: "",
+        without: "",
+        reason: "it is not written to a model of a simulator; replace the joint by a fixed joint in the model file",
+    },
+    Unread {
+        commands: "export",
+        flags: "hold",
+        with: "",
+        without: "",
+        reason: "it is not written to a model of a simulator; add a loop to the model file",
+    },
+    Unread {
+        commands: "export",
+        flags: "armature gear_stiffness",
+        with: "",
+        without: "",
+        reason: "it is not written to a model of a simulator; write it into the model file",
+    },
+    Unread {
+        commands: "export",
+        flags: "against_mass",
+        with: "",
+        without: "",
+        reason: "it is not written to a model of a simulator; add the body to the model file and name it by --against",
     },
 ];
 
-/// Refuses a flag that has no influence on the result.
-pub fn refuse_unread(matches: &ArgMatches) -> Result<(), Failure> {
+/// Words of a list of a rule.
+fn words(list: &'static str) -> impl Iterator<Item = &'static str> {
+    list.split_ascii_whitespace()
+}
+
+/// Flag of a command as it is given: `--NAME`.
+fn flag_of(command: Option<&Command>, id: &str) -> String {
+    let argument =
+        command.and_then(|command| command.get_arguments().find(|argument| argument.get_id() == id));
+    format!("--{}", argument.and_then(Arg::get_long).unwrap_or(id))
+}
+
+impl Unread {
+    /// Condition under which a flag of the rule is read, for the help; `None` if it is never read.
+    fn condition(&self, command: &Command) -> Option<String> {
+        let list = |ids| words(ids).map(|id| flag_of(Some(command), id)).collect::<Vec<_>>().join(" or ");
+        match (self.with, self.without) {
+            ("", "") => None,
+            ("", without) => Some(format!(" [only with {}]", list(without))),
+            (with, "") => Some(format!(" [not with {}]", list(with))),
+            (with, without) => Some(format!(" [not with {}, except with {}]", list(with), list(without))),
+        }
+    }
+
+    /// A command with this rule in its help.
+    fn mark(&self, command: Command) -> Command {
+        let condition = self.condition(&command);
+        command.mut_args(|argument| {
+            if !words(self.flags).any(|id| argument.get_id() == id) {
+                return argument;
+            }
+            let Some(condition) = &condition else { return argument.hide(true) };
+            let help = argument.get_help().map(|help| format!("{help}{condition}")).unwrap_or_default();
+            match argument.get_long_help().map(|help| format!("{help}{condition}")) {
+                Some(long) => argument.help(help).long_help(long),
+                None => argument.help(help),
+            }
+        })
+    }
+}
+
+/// The program with help that lists only the flags that a command reads, with their conditions.
+pub fn mark_unread(program: Command) -> Command {
+    let of_rule = |program, rule: &'static Unread| {
+        words(rule.commands).fold(program, |program: Command, command| {
+            program.mut_subcommand(command, |command| rule.mark(command))
+        })
+    };
+    UNREAD.iter().fold(program, of_rule)
+}
+
+/// Refuses a flag that has no influence on the result. `program`: definition of the command line.
+pub fn refuse_unread(matches: &ArgMatches, program: fn() -> Command) -> Result<(), Failure> {
     let Some((command, flags)) = matches.subcommand() else { return Ok(()) };
     let is_given = |id: &&str| {
         flags.try_contains_id(id).is_ok() && flags.value_source(id) == Some(ValueSource::CommandLine)
     };
-    let words = |list: &'static str| list.split_ascii_whitespace();
     let rules = UNREAD.iter().filter(|rule| words(rule.commands).any(|known| known == command));
     let mut rules = rules.filter(|rule| {
         (rule.with.is_empty() || words(rule.with).any(|id| is_given(&id)))
@@ -130,9 +230,41 @@ pub fn refuse_unread(matches: &ArgMatches) -> Result<(), Failure> {
     });
     match rules.find_map(|rule| Some((words(rule.flags).find(is_given)?, rule.reason))) {
         Some((flag, reason)) => Err(Failure::bad_input(format!(
-            "--{}: it has no influence in this call of percuss {command}: {reason}",
-            if flag == "moves" { "move".to_owned() } else { flag.replace('_', "-") }
+            "{}: it has no influence in this call of percuss {command}: {reason}",
+            flag_of(program().find_subcommand(command), flag)
         ))),
         None => Ok(()),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::args::Cli;
+
+    /// Each rule hides its flags, or states its condition, in the help of each of its commands.
+    #[test]
+    fn the_help_follows_the_table() {
+        let program = Cli::definition();
+        for rule in &UNREAD {
+            for flag in words(rule.flags) {
+                let mut found = 0;
+                for command in words(rule.commands) {
+                    let command = program.find_subcommand(command).expect("a command");
+                    let Some(argument) = command.get_arguments().find(|a| a.get_id() == flag) else {
+                        continue;
+                    };
+                    found += 1;
+                    let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
+                    match rule.condition(command) {
+                        Some(condition) => {
+                            assert!(argument.is_hide_set() || help.contains(&condition), "{flag}: {help}")
+                        }
+                        None => assert!(argument.is_hide_set(), "{flag}"),
+                    }
+                }
+                assert!(found > 0, "no command of the rule has {flag}");
+            }
+        }
     }
 }

@@ -67,3 +67,44 @@ def test_a_stop_at_its_touch_and_other_contacts_have_no_open_gap() -> None:
     q = np.array([[0.5, 0.0], [0.6, 0.0]])
     assert not percuss.sweep(model, STOP, q).remarks.any()
     assert not percuss.sweep(model, OTHER, np.array([[0.1, 0.3]])).remarks.any()
+
+
+#: Reports that do not show the estimate and the motion ratios of the conditions, as calls with conditions.
+REPORTS = {
+    "map_point": lambda model, given: percuss.reports.map_point(model, OTHER, 3, given),
+    "explain": lambda model, given: percuss.reports.explain(model, OTHER, given),
+    "friction_thresholds": lambda model, given: percuss.reports.friction_thresholds(model, OTHER, given),
+    "tolerate": lambda model, given: percuss.reports.tolerate(model, OTHER, "mass=2%", given),
+    "reflected_inertias": lambda model, given: percuss.reports.reflected_inertias(model, ["slide"], given),
+    "extremes": lambda model, given: percuss.extremes(model, OTHER, given, starts=2),
+    "safe_speed": lambda model, given: percuss.safe_speed(model, OTHER, None, given, energy=1.0),
+    "damp_contact": lambda model, given: percuss.contact_law.damp_contact(model, OTHER, percuss.contact_law.Damping(0.5, 1e4, speed=1.0), given),
+    "damp_stop": lambda model, given: percuss.contact_law.damp_stop(
+        model, "slide", percuss.contact_law.Damping(0.5, 1e4, speed=1.0), given, end="upper"
+    ),
+}
+IGNORED = {"estimate": percuss.Conditions(estimate=(["rod"],)), "ratio_at": percuss.Conditions(ratio_at=[("rod", [0, 0, 0])])}
+
+
+@pytest.mark.parametrize("name", REPORTS)
+def test_conditions_without_influence_are_refused(name: str) -> None:
+    model = percuss.loads(chain())
+    assert REPORTS[name](model, percuss.Conditions()) is not None
+    for key, given in IGNORED.items():
+        with pytest.raises(percuss.InputError, match=f"conditions.{key}: it has no influence"):
+            REPORTS[name](model, given)
+    with pytest.raises(percuss.InputError, match="conditions.ratio_at: it has no influence"):
+        percuss.reports.sweep_report(model, OTHER, IGNORED["ratio_at"], vary="slide=0:1:2")
+    given = percuss.Conditions(estimate=(["rod"],), ratio_at=[("rod", [0, 0, 0])])
+    assert percuss.mass(model, OTHER, given).motion_ratios and percuss.impact(model, OTHER, 0.5, given, speed=1.0).mass.estimate
+
+
+def test_parts_of_a_mass_report_have_its_findings() -> None:
+    model, given = percuss.loads(chain()), percuss.Conditions(set={"slide": 2.0})
+    for part in (
+        percuss.reports.explain(model, OTHER, given),
+        percuss.reports.friction_thresholds(model, OTHER, given),
+        percuss.reports.tolerate(model, OTHER, "mass=2%", given),
+    ):
+        assert part is not None
+        assert [finding["code"] for finding in part["diagnostics"]] == ["outside-limits"]

@@ -40,6 +40,7 @@ pub use evaluation::certificate::{
 };
 pub use evaluation::estimate::EstimateRecord;
 pub use evaluation::friction_thresholds::FrictionThresholdsRecord;
+pub use evaluation::motion_ratio::MotionRatioRecord;
 pub use evaluation::named_contact::{NamedContactRecord, WheelTravelRecord};
 pub use evaluation::status::Status;
 pub use map::given_contacts::{GivenContact, given_contact_masses};
@@ -151,7 +152,6 @@ pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, OtherBaseRecord, RotorShare,
     TravelRecord,
 };
-pub use reports::motion_ratio::MotionRatioRecord;
 pub use reports::safe_speed::{
     AlongRecord, ProvedSpeedRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds,
 };

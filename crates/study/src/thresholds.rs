@@ -131,6 +131,10 @@ pub(crate) const APPROACH_STEPS: usize = 200;
 pub(crate) const APPROACH_ROUNDS: usize = 8;
 /// Least cosine of the angle between the tangents before and after a step.
 pub(crate) const LEAST_TANGENT_COSINE: f64 = 0.95;
+/// Relative error of m̄ up to which a contact of a map has no finding of its own: below that of a nearly immovable contact, 2ε/10⁻⁶.
+pub(crate) const PLAIN_CONTACT_ERROR: f64 = 1e-10;
+/// Largest number of contacts of a map that are examined for findings: a tenth of a second.
+pub(crate) const EXAMINED_CONTACTS: usize = 2000;
 /// Penetration, m, from which a stop counts as passed by a travel: half of the last digit of the message.
 pub(crate) const PASSED_STOP: f64 = 5e-5;
 /// Largest gap at which a stop touches, in characteristic lengths: the tolerance of several travels, with a margin.

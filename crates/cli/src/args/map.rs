@@ -34,25 +34,9 @@ pub struct MapArgs {
 }
 
 impl MapArgs {
-    /// Converts the flags to a contact and a map; refuses flags of a contact that do not apply to a map.
+    /// Converts the flags to a contact and a map.
     pub fn questions(&self) -> Result<(MassQuestion, MapQuestion), Failure> {
         let contact = &self.contact.contact;
-        if contact.about_axis.is_some() {
-            return Err(Failure::bad_input(
-                "--about-axis: a map is about contact points; use percuss mass for the effective inertia about an axis",
-            ));
-        }
-        if contact.normal.is_some() || contact.along_line.is_some() {
-            return Err(Failure::bad_input(
-                "--normal, --along-line: a map uses the outward normals of the surface, or with --directions all directions; \
-                 use percuss mass for a single normal",
-            ));
-        }
-        if contact.estimate.is_some() {
-            return Err(Failure::bad_input(
-                "--estimate: not available in a map; use percuss mass or percuss sweep",
-            ));
-        }
         if contact.link.is_none() && !self.map.all {
             return Err(Failure::bad_input("give a link (--link LINK), or --all for every link"));
         }

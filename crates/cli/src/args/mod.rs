@@ -29,6 +29,7 @@ pub use model::ModelArgs;
 pub use output::{CheckFormat, KinematicsFormat, MassFormat, SchemaFormat, WritingArgs};
 
 use crate::terminal::failure::Failure;
+use crate::unread_flags::mark_unread;
 use clap::{Args, CommandFactory, Parser, Subcommand};
 use help::examples;
 use percuss_formats::DEFAULT_MAX_SIZE;
@@ -57,28 +58,10 @@ pub struct Cli {
 }
 
 impl Cli {
-    /// Command line, without the flags of a contact that do not apply to a map, to generated code or to an exported impact.
+    /// Command line; the help of a command has the flags that it reads.
     pub fn definition() -> clap::Command {
-        let hidden = |argument: clap::Arg| match argument.get_id().as_str() {
-            "normal" | "along_line" | "turning_normal" | "cable" | "normal_frame" | "estimate"
-            | "ratio_at" => argument.hide(true),
-            _ => argument,
-        };
         // Fixed name: on Windows the file name has an extension.
-        let without_reports = |argument: clap::Arg| match argument.get_id().as_str() {
-            "estimate" | "ratio_at" => argument.hide(true),
-            _ => argument,
-        };
-        let of_impact = |argument: clap::Arg| match argument.get_id().as_str() {
-            "estimate" | "ratio_at" | "tools" | "lock" | "hold" | "armature" | "gear_stiffness" | "base"
-            | "against_mass" => argument.hide(true),
-            _ => argument,
-        };
-        Self::command()
-            .bin_name("percuss")
-            .mut_subcommand("map", |c| c.mut_args(hidden))
-            .mut_subcommand("generate", |c| c.mut_args(without_reports))
-            .mut_subcommand("export", |c| c.mut_args(of_impact))
+        mark_unread(Self::command().bin_name("percuss"))
     }
 }
 

@@ -2,7 +2,7 @@
 //! and in the JSON of a sweep, and in the HTML report. `crates/capi/tests/findings.rs` has the outputs of the library and of the C interface.
 
 use super::finding_cases::{Case, cases, codes};
-use crate::support::{Scratch, done, percuss};
+use crate::support::{Scratch, done, percuss, root};
 use serde_json::Value;
 use std::fs;
 
@@ -21,23 +21,10 @@ const NOT_RAISED: [(&str, &str); 11] = [
     ("unknown-error", "the pose is closer to a singular pose than positions can be given"),
 ];
 
-/// Findings that a command does not state. Each contact of a map has its own status and error; the extremes state the gap of a stop, and
+/// Findings that a command does not state. The directions of a map are not the normal of the case; the extremes state the gap of a stop, and
 /// begin at the pose as drawn; an inertia at a joint has no contact.
 const NOT_STATED: [(&str, &[&str]); 3] = [
-    (
-        "map",
-        &[
-            "hold-pulls",
-            "hold-undetermined",
-            "immovable-mechanism",
-            "indefinite-mass-matrix",
-            "massless-motions",
-            "nearly-immovable",
-            "uncertain-mass",
-            "unclear-rank-here",
-            "undetermined-motion",
-        ],
-    ),
+    ("map", &["nearly-immovable", "uncertain-mass"]),
     ("extremes", &["open-gap", "stop-passed", "unclear-rank-here"]),
     (
         "inertia",
@@ -158,4 +145,122 @@ fn every_finding_is_in_every_output() {
         "{:?}",
         codes().collect::<Vec<_>>()
     );
+}
+
+/// Sheet with a fault, and the findings at one of its contacts.
+struct FaultyContact {
+    /// Texts and their replacements.
+    edits: &'static [[&'static str; 2]],
+    contact: &'static str,
+    codes: &'static [&'static str],
+}
+
+/// Findings about the path of a stop to its touch, and about the motion of a spring.
+const FAULTY_CONTACTS: [FaultyContact; 4] = [
+    FaultyContact {
+        edits: &[
+            ["bump_stop_pad =", "pad ="],
+            ["\nbump_stop =", "\nbump_stop_pad ="],
+            ["\npad =", "\nbump_stop ="],
+        ],
+        contact: "bump_stop",
+        codes: &["wrong-way-stop"],
+    },
+    FaultyContact {
+        edits: &[["gap = 30.0 ", "gap = 150.0 "]],
+        contact: "bump_stop",
+        codes: &["behind-dead-centre", "far-contact-travel"],
+    },
+    FaultyContact {
+        edits: &[["gap = 30.0 ", "direction = [1.0, 0.2, 0.4]\ngap = 5.0 "]],
+        contact: "bump_stop",
+        codes: &["oblique-stop"],
+    },
+    FaultyContact {
+        edits: &[["[-10.0, 500.0, 560.0]", "[-10.0, 500.0, 20.0]"]],
+        contact: "spring",
+        codes: &["extending-element"],
+    },
+];
+
+#[test]
+fn findings_of_a_named_contact_are_in_every_output() {
+    let scratch = Scratch::new("contact-findings");
+    let sheet = fs::read_to_string(root().join("models/suspensions/double-wishbone.toml")).expect("a sheet");
+    let law = "--restitution 0.3 --stiffness 4e5 --speed 0.5";
+    let mut missing = Vec::new();
+    for FaultyContact { edits, contact, codes } in FAULTY_CONTACTS {
+        let text = edits.iter().fold(sheet.clone(), |text, [from, to]| text.replacen(from, to, 1));
+        let file = scratch.write("faulty.toml", &text);
+        let at = format!("{file} --at {contact}");
+        let lines = [
+            format!("mass {at}"),
+            format!("mass {at} {law}"),
+            format!("damp --mass-from {at} {law}"),
+            format!("restitution {at} --stiffness 4e5 --damping 900 --speed 0.5"),
+            format!("response {at} --frequency 10:100Hz:3"),
+            format!("impact {at} --restitution 0.3 --speed 0.5"),
+            format!("impact {at} {law} --in-time"),
+            format!("extremes {at} --path wheel-travel=-5mm:5mm:3"),
+            format!("compare {file} {at}"),
+            format!("kinematics {file} --solve lower_ball.z --for mass_{contact}=100kg --within 1mm"),
+        ];
+        for line in &lines {
+            let report = percuss(&format!("--notes {line} --format json"));
+            let json: Value = serde_json::from_str(&report.stdout).unwrap_or_default();
+            let text = percuss(&format!("--notes {line}")).stderr;
+            let text = text.split_whitespace().collect::<Vec<_>>().join(" ").replace('−', "-");
+            for code in codes {
+                match message(&json, code) {
+                    Some(found) if text.contains(&*part(&found).replace('−', "-")) => {}
+                    found => missing.push(format!("{code}, {line}: {found:?}; {}", report.stderr)),
+                }
+            }
+        }
+        let found = percuss(&format!("mass {at} --format json"));
+        let found: Value = serde_json::from_str(&found.stdout).expect("a report");
+        let out = scratch.path("x");
+        for line in [
+            format!("sweep {at} --wheel-travel -5mm:5mm:3"),
+            format!("generate {at} -o {out} --force"),
+            format!("export {at} {law} -o {out}.xml --force"),
+        ] {
+            let text = percuss(&format!("--notes {line}")).stderr;
+            let text = text.split_whitespace().collect::<Vec<_>>().join(" ").replace('−', "-");
+            for code in codes {
+                let expected = message(&found, code).map(|found| part(&found).replace('−', "-"));
+                if !expected.is_some_and(|expected| text.contains(&expected)) {
+                    missing.push(format!("{code}, {line}: {text}"));
+                }
+            }
+        }
+    }
+    assert!(missing.is_empty(), "{missing:#?}");
+}
+
+/// Block on a hinge. The normals of two triangles of its face pass the axis at 10 nm: the closing speed is 10 nm per 0.4 m of its terms.
+const NEAR_BLOCK: &str = r#"<robot name="near"><link name="base"/><link name="arm">
+  <inertial><origin xyz="0.3 0 0"/><mass value="2"/><inertia ixx="0.1" ixy="0" ixz="0" iyy="0.1" iyz="0" izz="0.1"/></inertial>
+  <collision><origin xyz="0.3 0.10000001 0"/><geometry><box size="0.2 0.6 0.2"/></geometry></collision></link>
+  <joint name="hinge" type="continuous"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/></joint></robot>"#;
+
+#[test]
+fn single_contacts_of_a_map_have_findings() {
+    let scratch = Scratch::new("map-findings");
+    let file = scratch.write("near.urdf", NEAR_BLOCK);
+    let map = format!("--notes map {file} --link arm --edge 10");
+    // 12 triangles: two are nearly immovable, four are parallel to the axis; a point held on the line of the normals pulls for four.
+    for (flags, code, count) in [
+        ("", "nearly-immovable", "and 1 more)"),
+        ("--against-mass 2kg", "immovable-mechanism", "and 3 more)"),
+        ("--hold arm:0.3,0.1,0:0,-1,0", "hold-pulls", "and 3 more)"),
+    ] {
+        let report = percuss(&format!("{map} {flags} --format json"));
+        let json: Value = serde_json::from_str(&report.stdout).expect("a report");
+        let found = message(&json, code).unwrap_or_default();
+        assert!(found.starts_with("link \"arm\": ") && found.ends_with(count), "{flags}: {found}");
+        let text = percuss(&format!("{map} {flags}")).stderr;
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(part(&found)), "{flags}: {text}");
+    }
 }

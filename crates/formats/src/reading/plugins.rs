@@ -32,21 +32,44 @@ const ENDS: [[&str; 2]; 7] = [
 ];
 
 /// Parts of names that state an inertia or a coupling of a joint in every format.
-const OF_JOINTS: [&str; 5] = ["armature", "rotorinertia", "motorinertia", "reflectedinertia", "mimic"];
+const OF_JOINTS: [&str; 2] = ["armature", "mimic"];
+
+/// Parts of names that state, with a number, an inertia or a mass beyond those of the links.
+const INERTIAS: [&str; 6] = ["inertia", "rotormass", "motormass", "reflectedmass", "addedmass", "payload"];
+
+/// Elements that state a parameter by the name or key in an attribute.
+const KEYED: [&str; 9] =
+    ["param", "parameter", "property", "numeric", "config", "entry", "argument", "setting", "option"];
 
 /// True for a name with a value that changes the mass matrix, or couples joints, in a part that is not read. `in_plugin`: couplings of
 /// plugins have warnings of their own.
 pub(crate) fn changes_joint(name: &str, value: &str, in_plugin: bool) -> bool {
     let word = plain_word(name);
+    let has = |part: &&'static str| word.contains(*part);
+    let numbers =
+        || value.split([' ', ',', '\t', '\n']).filter_map(|number| number.trim_ascii().parse::<f64>().ok());
+    if numbers().any(|number| number != 0.0) && INERTIAS.iter().any(has) {
+        return true;
+    }
     let is_zero = value.trim_ascii().parse::<f64>().is_ok_and(|number| number == 0.0);
-    !is_zero && OF_JOINTS.iter().any(|part| word.contains(part) && !(in_plugin && *part == "mimic"))
+    !is_zero && OF_JOINTS.iter().any(|part| has(part) && !(in_plugin && *part == "mimic"))
+}
+
+/// Name and value of an element that states a parameter by a name or a key; `None` for other elements.
+pub(crate) fn keyed_value<'a>(
+    tag: &str,
+    attribute: impl Fn(&'static str) -> Option<&'a str>,
+    text: &'a str,
+) -> Option<(&'a str, &'a str)> {
+    let key = ["name", "key"].into_iter().find_map(&attribute).filter(|_| KEYED.contains(&tag))?;
+    Some((key, ["value", "data"].into_iter().find_map(&attribute).unwrap_or(text)))
 }
 
 /// Message about such a name.
 pub(crate) fn unread_joint_message(name: &str, holder: &str) -> String {
     format!(
-        "{} in <{}> is not read, and the answer is without it: give the inertia of a rotor as an armature of its joint, and a coupling \
-         as a mimic of its joint",
+        "{} in <{}> is not read, and the answer is without it: give the inertia of a rotor as an armature of its joint, a mass in the \
+         <inertial> of its link, and a coupling as a mimic of its joint",
         quoted(name),
         shortened(holder)
     )

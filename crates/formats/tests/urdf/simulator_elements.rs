@@ -449,9 +449,41 @@ fn values_of_joints_in_unread_parts_are_named() {
         let found = warnings(&text);
         assert!(found.iter().any(|message| message.contains(name)), "{text}: {found:?}");
     }
+    // Each name at each place.
+    for name in [
+        "armature",
+        "RotorInertia",
+        "gear-inertia",
+        "apparent_inertia",
+        "rotor_mass",
+        "added_mass",
+        "payload",
+    ] {
+        for text in [
+            gazebo(&format!("<dynamics {name}=\"0.5\"/>")),
+            gazebo(&format!("<axis {name}=\"0.5\"/>")),
+            gazebo(&format!("<axis><dynamics><{name}>0.5</{name}></dynamics></axis>")),
+            gazebo("").replace("reference", &format!("xmlns:x=\"http://x\" x:{name}=\"0.5\" reference")),
+            plugin(&format!("<joint><{name}>0.5</{name}></joint>")),
+            plugin(&format!("<param name=\"{name}\" value=\"0.5\"/>")),
+            plugin(&format!("<property key=\"{name}\">0.5</property>")),
+            control(&format!("<joint name=\"jb\"><param name=\"{name}\">0.5</param></joint>")),
+            control(&format!("<hardware><param name=\"{name}\">0.5</param></hardware>")),
+            format!("<mujoco><custom><numeric name=\"{name}\" data=\"0.5\"/></custom></mujoco>"),
+            format!(
+                "<mujoco><extension><plugin plugin=\"p\"><config key=\"{name}\" value=\"0.5\"/></plugin></extension></mujoco>"
+            ),
+            format!("<x:info xmlns:x=\"http://x\"><{name}>0.5</{name}></x:info>"),
+        ] {
+            let found = warnings(&text);
+            assert!(found.iter().any(|message| message.contains(name)), "{text}: {found:?}");
+            assert_eq!(warnings(&text.replace("0.5", "0.0")), [""; 0], "{text}");
+        }
+    }
     // Without influence: no warning.
     for text in [
         gazebo("<dynamics armature=\"0\"/>"),
+        plugin("<inertial_frame>map</inertial_frame>"),
         control("<joint name=\"jb\"><param name=\"min\">-1</param></joint>"),
         plugin("<joint>ja</joint><joint>jb</joint>"),
         "<x:weld xmlns:x=\"http://x\" a=\"b\"/>".to_owned(),

@@ -73,8 +73,9 @@ class Conditions:
     of the report, and its normals, directions and gravity have axes of the world.
     lock: names of joints that are locked, one name, or "all". hold: points that are held: (link, point) or (link, point, normal).
     armature: joints and the inertia of their rotors, kg·m² or kg. base: "fixed" or "floating"; default: that of the System, or "fixed".
-    estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction).
-    ratio_at: adds motion ratios at points to the result: (link, point) or (link, point, direction), default upwards.
+    estimate: adds the classical estimate to the result: (links,), (links, point) or (links, point, direction); other reports than mass,
+    impact and sweep_report refuse it. ratio_at: adds motion ratios at points to the result of mass and impact: (link, point) or (link,
+    point, direction), default upwards.
     gear_stiffness: joints and the stiffness of their gears between rotor and joint, N·m/rad or N/m, or stiffness and damping.
 
         >>> percuss.mass(arm, tool, percuss.Conditions(set={"elbow": "30deg"}, lock=["yaw"])).effective_mass
@@ -247,9 +248,33 @@ def _in_world(pose: Pose, vector: Any) -> Any:
     return (axes[:3, :3] @ array_of(vector, "hold")).tolist()
 
 
-def asked(of: Of, contact: Contact | str | None, conditions: Conditions | None, against: str | None = None, **further: Any) -> tuple[Model, Request]:
-    """Model and request of a report. The conditions of a System, Assembly or Pose are added."""
+#: Conditions that belong to a contact or to one report, and the reports that read them.
+_OF_SOME = {
+    "frame": "a result at a contact point reads it",
+    "against_mass": "a result at a contact reads it",
+    "estimate": "percuss.mass, percuss.impact and percuss.reports.sweep_report show it",
+    "ratio_at": "percuss.mass and percuss.impact show it",
+}
+#: All of them.
+EVERY_CONDITION = tuple(_OF_SOME)
+
+
+def asked(
+    of: Of,
+    contact: Contact | str | None,
+    conditions: Conditions | None,
+    against: str | None = None,
+    reads: Sequence[str] = ("frame", "against_mass"),
+    **further: Any,
+) -> tuple[Model, Request]:
+    """Model and request of a report. The conditions of a System, Assembly or Pose are added. reads: conditions of ``_OF_SOME`` that the
+    report reads; the others are refused."""
     given = Conditions() if conditions is None else conditions
+    for name, readers in _OF_SOME.items():
+        value = getattr(given, name)
+        is_given = len(value) > 0 if name == "ratio_at" else value not in (None, "link") if name == "frame" else value is not None
+        if is_given and name not in reads:
+            raise InputError(f"conditions.{name}: it has no influence on this result; {readers}")
     if isinstance(of, State):
         if of.positions.ndim > 1:
             raise InputError(f"model is {of!r}; a report takes one state, such as state[0], and sweep, impacts and safe_speeds take all")

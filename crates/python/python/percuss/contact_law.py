@@ -100,7 +100,11 @@ def damp_stop(
 
         >>> percuss.contact_law.damp_stop(arm, "elbow", percuss.contact_law.Damping(0.5, 1e3, speed=1.0), end="upper").damping
     """
-    model, request = asked(model, None, conditions, **damping._tables(joint if end is None else f"{joint}:{end}"))
+    for name in ("own_mass", "other_own_mass"):
+        if getattr(damping, name) is not None:
+            raise InputError(f"damping.{name}: it has no influence on the damper of a joint's stop; the model has the masses")
+    stop = joint if end is None else f"{joint}:{end}"
+    model, request = asked(model, None, conditions, reads=("against_mass",), **damping._tables(stop))
     return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
 
 

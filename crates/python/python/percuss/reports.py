@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from . import _percuss, records
 from ._arguments import checked
 from ._percuss import Contact, Model, regions
-from ._request import Conditions, Damping, Of, Position, Range, asked, json_of, numbers, of_contacts, rates_of, rows, tables
+from ._request import EVERY_CONDITION, Conditions, Damping, Of, Position, Range, Request, asked, json_of, numbers, of_contacts, rates_of, rows, tables
 from .errors import InputError
 from .state import State
 
@@ -50,6 +50,15 @@ def with_rows(parts: tuple[str, list[str]]) -> Any:
     return report
 
 
+def _part(model: Model, request: Request, name: str) -> Report | None:
+    """Part of the report of a mass, with the findings of the report under "diagnostics"; None if the report has no such part."""
+    report = records.MassReport.of(json.loads(_percuss.mass_report(model, request)))
+    part = cast("Report | None", report[name])
+    if part is not None:
+        part["diagnostics"] = report.diagnostics
+    return part
+
+
 @checked
 def check(model: Model) -> records.CheckReport:
     """Summary of a model: links, joints, loops, mobility, redundancy, mass, diagnostics. As ``percuss check``.
@@ -70,7 +79,7 @@ def mass(
         >>> percuss.mass(corner, "bump_stop").effective_mass
         >>> [report.effective_mass for report in percuss.mass(corner, ["spring", "damper"])]
     """
-    model, request = asked(model, contact, conditions, mass={"certify": certify}, **({} if damping is None else damping._tables()))
+    model, request = asked(model, contact, conditions, reads=EVERY_CONDITION, mass={"certify": certify}, **({} if damping is None else damping._tables()))
     return records.MassReport.of(json.loads(_percuss.mass_report(model, request)))
 
 
@@ -97,7 +106,10 @@ def sweep_report(
 
         >>> percuss.reports.sweep_report(model, contact, vary="crank_hinge=0:0.2:5").rows[0].effective_mass
     """
-    model, request = asked(model, contact, conditions, sweep={**(rows(vary, input, ignore, random, seed) or {}), "gradient": gradient})
+    model, request = asked(
+        model, contact, conditions, reads=("frame", "against_mass", "estimate"),
+        sweep={**(rows(vary, input, ignore, random, seed) or {}), "gradient": gradient},
+    )
     return records.SweepReport.of(with_rows(_percuss.sweep_report(model, request)))
 
 
@@ -124,7 +136,7 @@ def map(
         raise InputError("links is empty; expected names of links, or None for all links with a shape")
     folders = {name: os.fspath(path) for name, path in (packages or {}).items()}
     model, request = asked(
-        model, None, conditions, against,
+        model, None, conditions, against, ("against_mass",),
         map={"link": links, "all": links is None, "shapes": shapes, "edge": edge, "package": folders},
     )
     report, facets, svg = _percuss.map_report(model, request)
@@ -148,12 +160,12 @@ def map_point(
 def explain(model: Of, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
-    ``percuss mass --explain``.
+    ``percuss mass --explain``; the key "diagnostics" has the findings of ``mass``.
 
         >>> percuss.reports.explain(arm, tool)
     """
     model, request = asked(model, contact, conditions, mass={"explain": True})
-    return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).explanation
+    return cast("records.Explanation | None", _part(model, request, "explanation"))
 
 
 @of_contacts
@@ -161,12 +173,12 @@ def friction_thresholds(
     model: Of, contact: Contact | str, conditions: Conditions | None = None
 ) -> records.FrictionThresholdsRecord | None:
     """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None if the contact
-    has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``.
+    has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``; the key "diagnostics" has the findings of ``mass``.
 
         >>> percuss.reports.friction_thresholds(arm, tool)
     """
     model, request = asked(model, contact, conditions, mass={"friction_thresholds": True})
-    return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).friction_thresholds
+    return cast("records.FrictionThresholdsRecord | None", _part(model, request, "friction_thresholds"))
 
 
 @checked
@@ -179,7 +191,7 @@ def reflected_inertias(
 
         >>> percuss.reports.reflected_inertias(model, ["crank_hinge"])
     """
-    model, request = asked(model, None, conditions)
+    model, request = asked(model, None, conditions, reads=())
     return records.ReflectedReport.of(json.loads(_percuss.reflected_inertias(model, request, list(joints))))
 
 
@@ -195,13 +207,13 @@ def tolerate(
 ) -> records.ToleranceReport | None:
     """Variation of m̄ within tolerances, to first order and by random samples. tolerance:
     "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
-    --tolerance``.
+    --tolerance``; the key "diagnostics" has the findings of ``mass``.
 
         >>> percuss.reports.tolerate(arm, tool, "mass=2%,com=1mm", samples=100)
     """
     drawn = {} if samples is None and not seed else {"samples": samples, "seed": seed}
     model, request = asked(model, contact, conditions, mass={"tolerance": tolerance, **drawn})
-    return records.MassReport.of(json.loads(_percuss.mass_report(model, request))).tolerance
+    return cast("records.ToleranceReport | None", _part(model, request, "tolerance"))
 
 
 @of_contacts
@@ -273,7 +285,7 @@ def impact(
             raise InputError("rates, base_twist: the State has velocities; expected a State without velocities, or no rates")
         rates, base_twist = rates_of(model)
     model, request = asked(
-        model, contact, conditions,
+        model, contact, conditions, reads=EVERY_CONDITION,
         impact={
             "restitution": restitution, "speed": speed, "friction": friction, "restitution_law": restitution_law,
             "also": [one if isinstance(one, str) else "contact" for one in also], "also_restitution": also_restitution,

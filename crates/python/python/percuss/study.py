@@ -53,8 +53,10 @@ def compare(
     """
     if len(designs) < 2:
         raise InputError(f"designs has {len(designs)} entries; expected two at least")
-    given = [(design.name, *asked(design.model, design.contact, design.conditions)) for design in designs]
-    source = tables(sweep=rows(vary, input, ignore, random, seed))
+    table = rows(vary, input, ignore, random, seed)
+    reads = ("frame", "against_mass", "ratio_at", *(() if table is None else ("estimate",)))
+    given = [(design.name, *asked(design.model, design.contact, design.conditions, reads=reads)) for design in designs]
+    source = tables(sweep=table)
     return records.ComparisonReport.of(with_rows(_percuss.compare(given, (source, None, None))))
 
 

@@ -104,7 +104,9 @@ pub(crate) fn damping_report(
     let alone = alone.filter(|mass| *mass > 0.0 && !is_moment);
     let body_alone = alone.map(|m| compare_with_body_mass(damping, m, mass));
     let mut diagnostics = prepared.model.diagnostics.clone();
-    diagnostics.extend(answer_findings(evaluated).into_iter().map(DiagnosticRecord::from));
+    let named_contact = named_contact(evaluated)?;
+    let of_answer = answer_findings(evaluated, named_contact.as_ref());
+    diagnostics.extend(of_answer.into_iter().map(DiagnosticRecord::from));
     diagnostics.extend(of_curve.map(DiagnosticRecord::from));
     diagnostics.extend(law_mismatch_diagnostic(damping));
     diagnostics.extend(beyond_curve(damping.stiffness_curve.as_ref(), record.max_penetration));
@@ -130,7 +132,7 @@ pub(crate) fn damping_report(
         effective_mass: mass,
         unit: mass_unit(is_moment),
         is_moment,
-        named_contact: named_contact(evaluated)?,
+        named_contact,
         stop: None,
         damper: record,
         drift: Some(drift),

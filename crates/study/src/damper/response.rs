@@ -135,14 +135,15 @@ pub fn response(
     };
     let free = compliance.as_ref().and_then(|found| found.free_mass);
     let mut diagnostics = prepared.model.diagnostics.clone();
-    let mut findings = answer_findings(&evaluated);
+    let named_contact = named_contact(&evaluated)?;
+    let mut findings = answer_findings(&evaluated, named_contact.as_ref());
     findings.retain(|finding| !FindingKind::ELASTIC.contains(&finding.kind()));
     diagnostics.extend(findings.into_iter().map(DiagnosticRecord::from));
     Ok(ResponseReport {
         schema: "percuss.response/1",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: prepared.inputs(),
-        named_contact: named_contact(&evaluated)?,
+        named_contact,
         link: model.mechanism.link(located.link).name().to_owned(),
         effective_mass,
         status,

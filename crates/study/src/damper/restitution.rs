@@ -157,11 +157,12 @@ pub fn restitution_at(
         slowest.and_then(|(law, row)| Some((law, row.speed, (row.contact_duration?, row.restitution))));
     let springs =
         springs.map(|(law, speed, alone)| springs_finding(&evaluated, law, speed, alone)).transpose()?;
-    let findings =
-        answer_findings(&evaluated).into_iter().chain(springs.flatten()).map(DiagnosticRecord::from);
+    let named_contact = named_contact(&evaluated)?;
+    let findings = answer_findings(&evaluated, named_contact.as_ref()).into_iter();
+    let findings = findings.chain(springs.flatten()).map(DiagnosticRecord::from);
     Ok(RestitutionReport {
         inputs: prepared.inputs(),
-        named_contact: named_contact(&evaluated)?,
+        named_contact,
         diagnostics: model.diagnostics.iter().cloned().chain(report.diagnostics).chain(findings).collect(),
         ..report
     })

@@ -5,6 +5,7 @@ pub(crate) mod contact_point;
 pub(crate) mod estimate;
 pub(crate) mod friction_thresholds;
 pub(crate) mod joint_ranges;
+pub(crate) mod motion_ratio;
 pub(crate) mod named_contact;
 pub(crate) mod nearby_masses;
 pub(crate) mod passed_stops;

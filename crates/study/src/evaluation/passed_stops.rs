@@ -2,7 +2,8 @@
 
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
-use crate::evaluation::named_contact::wheel_travels;
+use crate::evaluation::motion_ratio::{MotionRatioRecord, wheel_ratios};
+use crate::evaluation::named_contact::{NamedContactRecord, named_contact_findings, wheel_travels};
 use crate::evaluation::prepared_question::{EvaluatedQuestion, PreparedQuestion};
 use crate::model::loading::Model;
 use crate::question::mass_question::MassQuestion;
@@ -42,10 +43,25 @@ pub(crate) fn passed_stop_findings(prepared: &PreparedQuestion, pose: &Pose) -> 
     PassedStops::of_travels(prepared, moved).map_or_else(Vec::new, |stops| stops.findings(pose))
 }
 
-/// Findings of an answer, with those about the stops that its travels pass.
-pub(crate) fn answer_findings(evaluated: &EvaluatedQuestion) -> Vec<Finding> {
+/// Findings of an answer, with those about the stops that its travels pass and about its named contact.
+pub(crate) fn answer_findings(
+    evaluated: &EvaluatedQuestion,
+    contact: Option<&NamedContactRecord>,
+) -> Vec<Finding> {
+    let of_wheels = contact.map_or_else(Vec::new, |_| wheel_ratios(evaluated));
+    findings_with_ratios(evaluated, contact, &of_wheels)
+}
+
+/// Same as [`answer_findings`] with known motion ratios of the wheels.
+pub(crate) fn findings_with_ratios(
+    evaluated: &EvaluatedQuestion,
+    contact: Option<&NamedContactRecord>,
+    of_wheels: &[MotionRatioRecord],
+) -> Vec<Finding> {
     let passed = passed_stop_findings(&evaluated.prepared, &evaluated.pose);
-    evaluated.result.findings.iter().cloned().chain(passed).collect()
+    let of_contact = contact.map(|contact| named_contact_findings(evaluated, contact, of_wheels));
+    let of_contact = of_contact.into_iter().flatten();
+    evaluated.result.findings.iter().cloned().chain(passed).chain(of_contact).collect()
 }
 
 impl<'a> PassedStops<'a> {

@@ -184,6 +184,11 @@ impl<'a> PreparedQuestion<'a> {
             && self.other_mass().is_none()
     }
 
+    /// True if a held contact can only push, so that each contact has a finding of its own about its force.
+    pub fn holds_by_pushing(&self) -> bool {
+        !self.held_contacts.is_empty()
+    }
+
     /// True if the contact point is given in the frame of the contact link; the conversion then needs no pose.
     pub fn point_is_in_link(&self) -> bool {
         self.question.frame == Frame::Link
@@ -287,29 +292,14 @@ impl<'a> PreparedQuestion<'a> {
         let response = pose.respond(contact)?;
         let mut findings = collect_pose_findings(system, pose, names);
         findings.extend(condition_findings(system.mechanism(), &self.question));
-        let of_response = collect_response_findings(system, contact, &response, names);
-        // A question about a stop states its gap as a result.
-        let is_stated =
-            |finding: &Finding| finding.kind() == FindingKind::OpenGap && self.question.at.is_some();
-        let as_note = |finding| if is_stated(&finding) { finding.into_note() } else { finding };
-        findings.extend(of_response.into_iter().map(as_note));
+        findings.extend(self.findings_of_response(pose, contact, &response)?);
         let limits =
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };
         findings.extend(singular_pose_finding(pose, &response, &limits));
-        for held in &self.held_contacts {
-            findings.extend(held.lift_off_finding(pose, contact, self.other_mass(), names)?);
-        }
         let estimate = self.estimate.as_ref().map(|e| e.evaluate(pose, &response));
         let Some(other) = self.other_mass() else {
             return Ok(ContactResult { response, mechanism_response: None, limits, estimate, findings });
         };
-        if response.effective_mass == EffectiveMass::Immovable {
-            let message = format!(
-                "the mechanism is immovable at this contact: the result is the mass of the other body alone{}",
-                Field::AgainstMass.hint(names)
-            );
-            findings.push(Finding::about_result(FindingKind::ImmovableMechanism, message));
-        }
         let with_other = response.clone().against_mass(other).map_err(ResponseError::from)?;
         Ok(ContactResult {
             response: with_other,
@@ -318,6 +308,33 @@ impl<'a> PreparedQuestion<'a> {
             estimate,
             findings,
         })
+    }
+
+    /// Findings about the response of a contact, without those of its pose. `response`: that of the mechanism alone.
+    pub fn findings_of_response(
+        &self,
+        pose: &Pose,
+        contact: &Contact,
+        response: &ContactResponse,
+    ) -> Result<Vec<Finding>, StudyError> {
+        let names = self.question.names;
+        // A question about a stop states its gap as a result.
+        let is_stated =
+            |finding: &Finding| finding.kind() == FindingKind::OpenGap && self.question.at.is_some();
+        let as_note = |finding| if is_stated(&finding) { finding.into_note() } else { finding };
+        let of_response = collect_response_findings(&self.system, contact, response, names);
+        let mut findings: Vec<Finding> = of_response.into_iter().map(as_note).collect();
+        for held in &self.held_contacts {
+            findings.extend(held.lift_off_finding(pose, contact, self.other_mass(), names)?);
+        }
+        if self.other_mass().is_some() && response.effective_mass == EffectiveMass::Immovable {
+            let message = format!(
+                "the mechanism is immovable at this contact: the result is the mass of the other body alone{}",
+                Field::AgainstMass.hint(names)
+            );
+            findings.push(Finding::about_result(FindingKind::ImmovableMechanism, message));
+        }
+        Ok(findings)
     }
 
     /// Contact response at a pose, including a free body on the other side, without findings or limits.

@@ -1,8 +1,10 @@
 //! m̄ over directions at one point: the belted ellipsoid.
 
 use crate::checks::findings::singular_map_finding;
+use crate::evaluation::named_contact::findings_at_touch;
 use crate::evaluation::passed_stops::passed_stop_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
+use crate::map::contact_findings::{MapResults, map_contact_findings};
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
@@ -12,7 +14,7 @@ use crate::question::mass_question::{MassQuestion, Normal};
 use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::DIRECTIONS;
 use nalgebra::Vector3;
-use percuss_dynamics::EffectiveMass;
+use percuss_dynamics::{BatchAnswer, Contact, Direction, EffectiveMass, Frame};
 use percuss_spatial::Transform;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -80,6 +82,7 @@ pub fn map_point(
         let why = format!("{directions} directions; {least} to {most} are possible");
         return Err(StudyError::input(Field::Directions, why));
     }
+    let given = question;
     let question = question.resolve_contact(&model.mechanism)?.into_owned();
     question.refuse_moment("map of directions")?;
     let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question };
@@ -91,17 +94,35 @@ pub fn map_point(
         .map_err(|error| StudyError::input(Field::Point, error))?;
     let x_wl = pose.link(contact.link);
     let other = prepared.other_mass();
-    let of_direction = |i: usize| {
-        let direction = spiral_direction(i, directions);
-        let answer = map.effective_mass(&contact.point, &direction);
-        direction_mass(&x_wl, &direction, answer.mass, answer.error, other)
+    let alone: Vec<(Vector3<f64>, BatchAnswer)> = (0..directions)
+        .map(|i| spiral_direction(i, directions))
+        .map(|direction| (direction, map.effective_mass(&contact.point, &direction)))
+        .collect();
+    let of_direction = |(direction, answer): &(Vector3<f64>, BatchAnswer)| {
+        direction_mass(&x_wl, direction, answer.mass, answer.error, other)
     };
     let principal = map.principal_masses(&contact.point);
-    let principal = principal.iter().flatten();
+    let principal: Vec<(Vector3<f64>, BatchAnswer)> = (principal.iter().flatten())
+        .map(|p| (p.direction, BatchAnswer { mass: Some(p.mass), error: p.error, ..BatchAnswer::NONE }))
+        .collect();
     let mut diagnostics: Vec<DiagnosticRecord> = model.diagnostics.clone();
     diagnostics.extend(prepared.start_findings(&pose, &contact).into_iter().map(DiagnosticRecord::from));
     diagnostics.extend(passed_stop_findings(&prepared, &pose).into_iter().map(DiagnosticRecord::from));
+    diagnostics.extend(findings_at_touch(model, given).into_iter().map(DiagnosticRecord::from));
     diagnostics.extend(singular_map_finding(&pose).map(DiagnosticRecord::from));
+    for (of, word) in [(&principal, "principal direction"), (&alone, "direction")] {
+        let results = MapResults {
+            statuses: &of.iter().map(|(_, answer)| answer.status()).collect::<Vec<_>>(),
+            errors: &of.iter().map(|(_, answer)| relative_error(answer)).collect::<Vec<_>>(),
+            contact: |i: usize| Contact { normal: Direction::Along(of[i].0, Frame::Link), ..contact },
+            word,
+        };
+        for finding in map_contact_findings(&prepared, &pose, &results) {
+            if !diagnostics.contains(&finding) {
+                diagnostics.push(finding);
+            }
+        }
+    }
     Ok(PointMapReport {
         schema: "percuss.map-point/1",
         percuss: env!("CARGO_PKG_VERSION"),
@@ -109,16 +130,22 @@ pub fn map_point(
         link: question.link.clone(),
         point_link: contact.point.into(),
         point_world: x_wl.point(&contact.point).into(),
-        principal: principal
-            .map(|p| direction_mass(&x_wl, &p.direction, Some(p.mass), p.error, other))
-            .collect(),
-        directions: (0..directions).map(of_direction).collect(),
+        principal: principal.iter().map(of_direction).collect(),
+        directions: alone.iter().map(of_direction).collect(),
         against: question.against.clone(),
         conditions: ConditionsRecord::of(&question),
         singular_pose: pose.rank().singular,
         pose: Positions::from_pose(&PoseLayout::new(&model.mechanism), &pose),
         diagnostics,
     })
+}
+
+/// Relative error of m̄ of a mechanism alone; NaN if unknown.
+fn relative_error(answer: &BatchAnswer) -> f64 {
+    match (answer.mass, answer.error) {
+        (Some(EffectiveMass::Finite(mass)), Some(error)) => error / mass,
+        _ => f64::NAN,
+    }
 }
 
 /// Result along one direction, including a free body on the other side: dm̄ = (m̄/m̄₁)² dm̄₁.

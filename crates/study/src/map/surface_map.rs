@@ -3,6 +3,7 @@
 use crate::checks::findings::{point_mass_base_finding, singular_map_finding};
 use crate::evaluation::passed_stops::passed_stop_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
+use crate::map::contact_findings::{MapResults, map_contact_findings};
 use crate::map::map_report::{
     Extreme, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
@@ -16,7 +17,7 @@ use crate::question::mass_question::{MassQuestion, Normal};
 use crate::question::tables::map::{MapQuestion, MapShapes};
 use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
-use percuss_dynamics::{ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
+use percuss_dynamics::{Contact, ContactColumns, ContactMap, ContactStatus, MapAnswers, Pose};
 use percuss_formats::{DEFAULT_MAX_MESH_SIZE, Facet, MeshFolders, Purpose, Shape, Surface, SurfaceError};
 use percuss_mechanism::LinkId;
 use rayon::prelude::*;
@@ -77,7 +78,12 @@ pub fn map(
     for link in links {
         let name = mechanism.link(link).name();
         match context.map_link(link, facets_left) {
-            Ok((map, skin)) => {
+            Ok((map, skin, found)) => {
+                for finding in found {
+                    if !diagnostics.contains(&finding) {
+                        diagnostics.push(finding);
+                    }
+                }
                 facets_left -= skin.facets.len();
                 maps.push(map);
                 skins.push(skin);
@@ -149,7 +155,11 @@ struct MapContext<'a> {
 
 impl MapContext<'_> {
     /// Map of one link with at most `facets_left` facets.
-    fn map_link(&self, link: LinkId, facets_left: usize) -> Result<(LinkMap, SkinFacets), LinkMapError> {
+    fn map_link(
+        &self,
+        link: LinkId,
+        facets_left: usize,
+    ) -> Result<(LinkMap, SkinFacets, Vec<DiagnosticRecord>), LinkMapError> {
         let (question, prepared) = (self.question, self.prepared);
         let name = self.model.mechanism.link(link).name();
         let no_shape = || {
@@ -184,12 +194,28 @@ impl MapContext<'_> {
             .contact_map(link, prepared.other_link(), centre, radius)
             .map_err(|error| LinkMapError::Question(StudyError::input(Field::Link, error)))?;
         let mut skin = self.evaluate_facets(link, facets, &map);
+        let found = self.findings(link, &skin);
         if let Some(other) = prepared.other_mass() {
             add_free_body(&mut skin, other);
         }
         let has_mesh = surface.orientation().pieces > 0;
         let orientation = has_mesh.then(|| OrientationRecord::from(surface.orientation()));
-        Ok((summarize_link(&skin, purpose, orientation), skin))
+        Ok((summarize_link(&skin, purpose, orientation), skin, found))
+    }
+
+    /// Findings about the contacts of a link; the messages of all but those of the pose name the link.
+    fn findings(&self, link: LinkId, skin: &SkinFacets) -> Vec<DiagnosticRecord> {
+        let at = |i: usize| {
+            let Facet { point, normal, .. } = &skin.facets[i];
+            Contact { against: self.prepared.other_link(), ..Contact::new(link, *point, *normal) }
+        };
+        let word = "contact of the map";
+        let results = MapResults { statuses: &skin.statuses, errors: &skin.errors, contact: at, word };
+        let mut found = map_contact_findings(self.prepared, self.pose, &results);
+        for finding in found.iter_mut().filter(|finding| finding.message.contains(word)) {
+            finding.message = format!("link \"{}\": {}", skin.link, finding.message);
+        }
+        found
     }
 
     /// Evaluates all facets in parallel.

@@ -7,7 +7,8 @@ use crate::damper::damped_contact::damping_report;
 use crate::damper::simulators::ExportRecord;
 use crate::evaluation::certificate::mass_certificate;
 use crate::evaluation::friction_thresholds::thresholds_of;
-use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
+use crate::evaluation::motion_ratio::{requested_ratios, wheel_ratios};
+use crate::evaluation::named_contact::named_contact;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
@@ -18,12 +19,10 @@ use crate::question::tables::mass::MassOptions;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
 use crate::reports::explain::explain_parts;
 use crate::reports::mass_report::{MassReport, OtherBaseRecord, base_name};
-use crate::reports::motion_ratio::{MotionRatioRecord, motion_ratios};
 use crate::reports::tolerance::tolerances_of;
-use crate::thresholds::{FAR_TOUCH, STOP_ALIGNMENT, TOUCH_WRONG_WAY};
 use percuss_contact::ContactLawError;
 use percuss_contact::exports::ExportError;
-use percuss_dynamics::{Base, PointVelocity};
+use percuss_dynamics::Base;
 use percuss_suspension::kinematics::wheel_centres;
 
 /// Evaluates one contact of a model.
@@ -51,15 +50,12 @@ fn with_compliance(
 
 /// Report without a damper, with the requested motion ratios.
 pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
-    let motion_ratios = motion_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
+    let mut motion_ratios = requested_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
+    let of_wheels = wheel_ratios(evaluated);
     let named_contact = named_contact(evaluated)?;
-    let mut report = MassReport::of(evaluated);
-    let found = named_contact.iter().flat_map(|contact| stop_findings(evaluated, contact, &motion_ratios));
-    // At another pose a rocker may have passed its dead centre.
-    let drawn = named_contact.iter().filter(|_| !evaluated.prepared.question.gives_pose());
-    let found = found.chain(drawn.filter_map(|contact| extension_finding(contact, &motion_ratios)));
-    report.diagnostics.extend(found.map(Into::into));
-    Ok(MassReport { motion_ratios, named_contact, other_base: other_base(evaluated)?, ..report })
+    let report = MassReport::of(evaluated, named_contact, &of_wheels);
+    motion_ratios.extend(of_wheels);
+    Ok(MassReport { motion_ratios, other_base: other_base(evaluated)?, ..report })
 }
 
 /// m̄ of a suspension with the other kind of base, at the same pose; `None` for other models, and for a chassis without mass.
@@ -189,81 +185,4 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
         Err(error) => return Err(error),
     }
     Ok(report)
-}
-
-/// Finding about a spring or damper that extends while the wheel moves up.
-fn extension_finding(contact: &NamedContactRecord, ratios: &[MotionRatioRecord]) -> Option<Finding> {
-    let wheel = contact.wheel_travel.first().filter(|_| contact.always_touches())?;
-    let ratio = ratios.iter().find(|ratio| ratio.link == wheel.link)?.contact_per_wheel?;
-    let message = format!(
-        "the {} {} extends while the wheel moves up (motion ratio {ratio:.3}): are its two points exchanged?",
-        contact.kind, contact.name
-    );
-    (ratio < 0.0).then(|| Finding::about_result(FindingKind::ExtendingElement, message))
-}
-
-/// Findings about the path to the touch: a bump stop that touches while the wheel moves down, or a rebound stop while it moves
-/// up; a long travel; a pad that hardly moves along the direction of the stop. Each has a common cause in the sheet.
-fn stop_findings(
-    evaluated: &EvaluatedQuestion,
-    contact: &NamedContactRecord,
-    ratios: &[MotionRatioRecord],
-) -> Vec<Finding> {
-    let mut found = Vec::new();
-    let (true, Some(wheel)) = (contact.brought_to_touch, contact.wheel_travel.first()) else { return found };
-    let (name, travel) = (&contact.name, contact.unit.text(wheel.travel.abs()));
-    let mut warn = |kind, message| found.push(Finding::about_result(kind, message));
-    // The gap closes on the whole path; a wheel that moves back at its end has passed a dead centre.
-    let ratio =
-        ratios.iter().find(|ratio| ratio.link == wheel.link).and_then(|ratio| ratio.contact_per_wheel);
-    if ratio.is_some_and(|ratio| ratio * wheel.travel < 0.0) && wheel.travel.abs() > TOUCH_WRONG_WAY {
-        let message = format!(
-            "{name} touches after {travel} of wheel travel, while the wheel moves back: the suspension passes a dead centre before the \
-             touch; check the gap, the points and the direction of the stop"
-        );
-        warn(FindingKind::BehindDeadCentre, message);
-    }
-    let stops = [("bump_stop", "rebound_stop", 1.0, "down"), ("rebound_stop", "bump_stop", -1.0, "up")];
-    for (stop, other, sign, sense) in stops {
-        if name.starts_with(stop) && sign * wheel.travel < -TOUCH_WRONG_WAY {
-            let message = format!(
-                "{name} touches after the wheel has moved {sense} by {travel}: is it the {other}, or are its pad and \
-                 face exchanged, or its direction reversed?"
-            );
-            warn(FindingKind::WrongWayStop, message);
-        }
-    }
-    if wheel.travel.abs() > FAR_TOUCH {
-        let message = format!(
-            "{name} touches after {travel} of wheel travel: check its gap with the unit, its points and its direction"
-        );
-        warn(FindingKind::FarContactTravel, message);
-    }
-    if let Some(cosine) = alignment(evaluated).filter(|cosine| *cosine < STOP_ALIGNMENT) {
-        let message = format!(
-            "the pad of {name} moves at {:.0}° to the direction of the stop: check this direction and the points of the stop",
-            cosine.acos().to_degrees()
-        );
-        warn(FindingKind::ObliqueStop, message);
-    }
-    found
-}
-
-/// Cosine of the angle between the normal of a contact and the motion of the contact point relative to the other side: its
-/// inverse is the relative speed per unit closing speed. `None` if a velocity is undetermined.
-fn alignment(evaluated: &EvaluatedQuestion) -> Option<f64> {
-    let EvaluatedQuestion { pose, contact, result, .. } = evaluated;
-    let at = pose.link(contact.link).point(&contact.point);
-    let velocity = |link| {
-        let point = pose.link(link).inverse_point(&at);
-        match pose.point_velocity(result.mechanism_response(), link, &point)? {
-            PointVelocity::Known(velocity) => Some(velocity),
-            PointVelocity::Undetermined => None,
-        }
-    };
-    let mut relative = velocity(contact.link)?;
-    if let Some(other) = contact.against {
-        relative -= velocity(other)?;
-    }
-    Some(1.0 / relative.norm())
 }

@@ -5,8 +5,9 @@ use crate::damper::damping::DampingReport;
 use crate::evaluation::certificate::MassCertificateRecord;
 use crate::evaluation::estimate::EstimateRecord;
 use crate::evaluation::friction_thresholds::FrictionThresholdsRecord;
+use crate::evaluation::motion_ratio::MotionRatioRecord;
 use crate::evaluation::named_contact::NamedContactRecord;
-use crate::evaluation::passed_stops::answer_findings;
+use crate::evaluation::passed_stops::findings_with_ratios;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion};
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Input;
@@ -19,7 +20,6 @@ use crate::question::travel::given_travel::GivenTravel;
 use crate::question::travel::moved::Moved;
 use crate::reports::assumptions::Assumptions;
 use crate::reports::explain::Explanation;
-use crate::reports::motion_ratio::MotionRatioRecord;
 use crate::reports::tolerance::ToleranceReport;
 use nalgebra::{Rotation3, UnitQuaternion};
 use percuss_dynamics::{Base, EffectiveMass, Route};
@@ -297,8 +297,12 @@ impl ErrorBudgetRecord {
 }
 
 impl MassReport {
-    /// Report of an evaluated question.
-    pub(crate) fn of(evaluated: &EvaluatedQuestion) -> Self {
+    /// Report of an evaluated question. `of_wheels`: motion ratios of the wheels.
+    pub(crate) fn of(
+        evaluated: &EvaluatedQuestion,
+        named_contact: Option<NamedContactRecord>,
+        of_wheels: &[MotionRatioRecord],
+    ) -> Self {
         let EvaluatedQuestion { prepared, pose, result: answer, .. } = evaluated;
         let (model, assembly) = (prepared.model, pose.assembly());
         let (mechanism, response) = (&model.mechanism, &answer.response);
@@ -309,7 +313,8 @@ impl MassReport {
         let share_of = |i: usize| shares.map(|s| s.links.get(i).copied().unwrap_or(0.0));
         let rotors = shares.map_or(&[][..], |s| &s.rotors[..]);
         let assumptions = Assumptions::of(prepared, pose);
-        let of_answer = answer_findings(evaluated).into_iter().map(DiagnosticRecord::from);
+        let of_answer = findings_with_ratios(evaluated, named_contact.as_ref(), of_wheels);
+        let of_answer = of_answer.into_iter().map(DiagnosticRecord::from);
         let limit_of = |l: &EffectiveMass| limit(l.against_mass(prepared.other_mass()));
         MassReport {
             schema: "percuss.mass/1",
@@ -356,7 +361,7 @@ impl MassReport {
                 normal_link: response.contact.normal_link.into(),
                 is_moment: response.contact.is_moment,
             },
-            named_contact: None,
+            named_contact,
             joint_stop: prepared
                 .question
                 .stop_of_joint(mechanism)

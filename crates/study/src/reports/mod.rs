@@ -10,6 +10,5 @@ pub(crate) mod exports;
 pub(crate) mod impact;
 pub(crate) mod kinematics;
 pub(crate) mod mass_report;
-pub(crate) mod motion_ratio;
 pub(crate) mod safe_speed;
 pub(crate) mod tolerance;

@@ -4,6 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::certificate::ExtremesCertificateRecord;
 use crate::evaluation::joint_ranges::prove;
+use crate::evaluation::named_contact::named_contact;
 use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, PreparedQuestion};
 use crate::model::loading::{Input, Model};
@@ -151,7 +152,8 @@ fn safe_speed(
     let by_standard = if region.is_some() { by_standard } else { moving_mass + asked.load() };
     let (standard, safe) = speed(Some(by_standard))?;
     let mut diagnostics = model.diagnostics.clone();
-    diagnostics.extend(answer_findings(&evaluated).into_iter().map(DiagnosticRecord::from));
+    let of_answer = answer_findings(&evaluated, named_contact(&evaluated)?.as_ref());
+    diagnostics.extend(of_answer.into_iter().map(DiagnosticRecord::from));
     let (reflected, _) = match largest_possible_mass(&evaluated.result)? {
         EffectiveMass::Finite(m) => speed(Some(m))?,
         EffectiveMass::Immovable => {

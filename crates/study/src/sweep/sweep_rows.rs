@@ -4,6 +4,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::many_turns_finding;
+use crate::evaluation::named_contact::findings_at_touch;
 use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::random_rows::RandomRows;
@@ -148,6 +149,7 @@ impl<'a> Sweep<'a> {
             prepared
                 .converted_point_finding(&contact, &format!("where {} is 0", setting.varied_description())),
         );
+        findings.extend(findings_at_touch(model, question));
         let gap = match prepared.question.named_contact(&model.mechanism)? {
             // The gap depends on the drawing only; a model that does not close as drawn has no rows either.
             Some(contact) => {

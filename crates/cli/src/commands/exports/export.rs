@@ -27,9 +27,6 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
         Some(_) => args.contact.conditions()?,
         None => args.contact.question()?,
     };
-    if !args.damping.tools.is_empty() {
-        return Err(Failure::bad_input("--for: the format of the file selects the simulator (--to)"));
-    }
     let Some(damping) = args.damping.checked()? else {
         return Err(Failure::bad_input(
             "--restitution E (the required restitution) and --stiffness N/m (the contact spring) are missing; an impact at a contact requires \

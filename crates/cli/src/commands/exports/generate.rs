@@ -14,12 +14,6 @@ use std::path::Path;
 pub fn run(args: &GenerateArgs) -> Result<(), Failure> {
     args.writing.apply();
     let code = args.code.checked(Path::new(""))?;
-    let contact = &args.contact.contact;
-    if contact.estimate.is_some() || !contact.ratio_at.is_empty() {
-        return Err(Failure::bad_input(
-            "--estimate, --ratio-at: not available in generated code; use percuss mass",
-        ));
-    }
     let question = args.contact.question()?;
     let model = args.model.load()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));

@@ -133,7 +133,7 @@ fn show_search(
         return Err(Failure::bad_input(why));
     }
     let report = search_targets(model, question, search)?;
-    write_diagnostics(&model.diagnostics, args.model.reading.strict)?;
+    write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     match args.format.unwrap_or(KinematicsFormat::Table) {
         KinematicsFormat::Table => write_text(&search_text(&report))?,
         KinematicsFormat::Csv => write_out(&search_as_csv(&report))?,

@@ -3,7 +3,7 @@
 use crate::reading::document::element_tree::ElementId;
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
-use crate::reading::plugins::{changes_joint, unread_joint_message};
+use crate::reading::plugins::{changes_joint, keyed_value, unread_joint_message};
 use crate::reading::report::shortened;
 use percuss_mechanism::Severity;
 
@@ -76,7 +76,9 @@ fn warn_unread_joint_values(part: ElementId, findings: &mut Findings<'_>) {
     while let Some(element) = open.pop() {
         open.extend(tree.children(element));
         let attributes = tree.element(element).attributes.iter().map(|a| (&*a.name, &*a.value));
-        let own = [(tree.tag(element), tree.text(element))];
+        let (tag, text) = (tree.tag(element), tree.text(element));
+        let keyed = keyed_value(tag, |name| tree.attribute(element, name), text);
+        let own = [(tag, text)].into_iter().chain(keyed);
         for (name, value) in attributes.filter(|(name, _)| *name != "name").chain(own) {
             if changes_joint(name, value, holder == "plugin") {
                 let kind = format!("{holder} {name}");

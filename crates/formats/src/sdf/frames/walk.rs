@@ -3,7 +3,7 @@
 use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_MODEL_DEPTH, MAX_PLUGIN_NAMES};
-use crate::reading::plugins::joins_links;
+use crate::reading::plugins::{joins_links, keyed_value};
 use crate::reading::report::quoted;
 use crate::sdf::document::check::check_children;
 use crate::sdf::document::grammar::{IN_MODEL, IN_WORLD};
@@ -299,6 +299,7 @@ fn plugin_values(tree: &ElementTree, plugin: ElementId) -> Vec<(&str, &str)> {
     let mut open = tree.children(plugin).to_vec();
     while let Some(id) = open.pop() {
         values.push((tree.tag(id), tree.text(id)));
+        values.extend(keyed_value(tree.tag(id), |name| tree.attribute(id, name), tree.text(id)));
         values.extend(tree.element(id).attributes.iter().map(|a| (a.name.as_str(), a.value.as_str())));
         open.extend(tree.children(id));
     }

@@ -1,7 +1,7 @@
 //! Comparison of the file with the table of the dialect.
 
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
-use crate::reading::plugins::{changes_joint, unread_joint_message};
+use crate::reading::plugins::{changes_joint, keyed_value, unread_joint_message};
 use crate::reading::report::{Place, Report, shortened};
 use crate::reading::xml::Node;
 use crate::urdf::elements::dialect::GAZEBO_JOINT;
@@ -170,19 +170,21 @@ fn apply_treatment(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), re
             report.add_unread(place, || format!("<{tag}> in <{}>", parent_tag(node)));
             warn_unread_joint_values(node, report);
         }
+        (None, Treatment::Unexamined) if tag == "axis" => warn_unread_joint_values(node, report),
         (None, _) => {}
     }
 }
 
 /// Warns about armatures, inertias of rotors and couplings in a part that is not read: elements, attributes and named parameters.
 fn warn_unread_joint_values(part: Node<'_>, report: &mut Report) {
-    let in_plugin = is_named(part, "plugin");
+    // `simulator_couplings.rs` reads the mimics of both.
+    let in_plugin = is_named(part, "plugin") || is_named(part, "axis");
     for node in part.descendants().filter(Node::is_element) {
         let text = node.text().unwrap_or_default();
-        let parameter = node.attribute("name").filter(|_| node.tag_name().name() == "param");
+        let parameter = keyed_value(node.tag_name().name(), |name| node.attribute(name), text);
         let own = (node != part).then_some((node.tag_name().name(), text));
         let attributes = node.attributes().filter(|a| a.name() != "name").map(|a| (a.name(), a.value()));
-        for (name, value) in attributes.chain(own).chain(parameter.map(|name| (name, text))) {
+        for (name, value) in attributes.chain(own).chain(parameter) {
             if changes_joint(name, value, in_plugin) {
                 let holder = part.tag_name().name();
                 report.add_once(
@@ -234,6 +236,10 @@ fn check_attributes(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), r
             if matches!(treatment, Some(Treatment::Read)) {
                 report.add_once(Severity::Warning, "unknown-attribute", format!("{tag}:{name}"), place, || {
                     format!("the attribute {name} of another language is read as {name} of URDF: remove its prefix, or the attribute")
+                });
+            } else if changes_joint(name, value, false) {
+                report.add_once(Severity::Warning, "ignored", format!("{tag}:{name}"), place, || {
+                    unread_joint_message(name, tag)
                 });
             }
             continue;

@@ -1,5 +1,6 @@
 //! Generated source code of the effective mass at a contact.
 
+use crate::evaluation::named_contact::findings_at_touch;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
@@ -98,7 +99,11 @@ pub fn generate_code(
         system: prepared.system.clone(),
     };
     let of_pose = prepared.start_findings(&request.pose, &request.contact);
-    let of_pose = of_pose.into_iter().map(DiagnosticRecord::from).collect::<Vec<_>>();
+    let of_pose = of_pose
+        .into_iter()
+        .chain(findings_at_touch(model, question))
+        .map(DiagnosticRecord::from)
+        .collect::<Vec<_>>();
     let generated = generate(&request)?;
     let file = |file: GeneratedFile| TextFile { name: file.name, text: file.text };
     Ok(CodeReport {

@@ -6,6 +6,7 @@ use crate::checks::joint_limits::many_turns_finding;
 use crate::damper::damping::damper;
 use crate::evaluation::certificate::ExtremesCertificateRecord;
 use crate::evaluation::joint_ranges::{find_joint, prove, ranges, search_error};
+use crate::evaluation::named_contact::findings_at_touch;
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
@@ -223,6 +224,7 @@ pub fn extremes(
             && finding.kind().scope() == FindingScope::Positions
     };
     let mut findings = prepared.start_findings(&pose, &contact);
+    findings.extend(findings_at_touch(model, question));
     findings.retain(|finding| !of_range(finding));
     for (value, (extreme, _)) in ["smallest", "largest"].into_iter().zip(&found.extremes) {
         let has_contact = extreme.normal_world.is_none()

@@ -248,11 +248,12 @@ pub fn identify_contact_of(
         compared.explanations = changes;
     }
     report.diagnostics.extend(forces_of_sheet(&evaluated, &report));
-    let findings = answer_findings(&evaluated).into_iter().map(DiagnosticRecord::from);
+    report.named_contact = named_contact(&evaluated)?;
+    let findings = answer_findings(&evaluated, report.named_contact.as_ref());
+    let findings = findings.into_iter().map(DiagnosticRecord::from);
     let own = std::mem::take(&mut report.diagnostics);
     report.diagnostics = model.diagnostics.iter().cloned().chain(findings).chain(own).collect();
     report.inputs.extend(prepared.inputs());
-    report.named_contact = named_contact(&evaluated)?;
     Ok(report)
 }
 

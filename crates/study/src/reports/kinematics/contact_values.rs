@@ -5,12 +5,15 @@ use crate::damper::damping::{contact, contact_damper, require_stiffness};
 use crate::damper::sheet_forces::{force_beside, with_sheet_curve};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::reports::answer_mass::mass;
+use crate::reports::kinematics::target_question::TargetSearch;
 use crate::values::force_curve::GivenCurve;
 use percuss_contact::{Damper, restitution_beside_forces};
+use percuss_mechanism::NamedContact;
 use percuss_suspension::kinematics::{KinematicUnit, KinematicValue};
 use std::sync::Arc;
 
@@ -120,4 +123,34 @@ pub(super) fn impact_values(
         value(depth, KinematicUnit::Length, |found| Some(found.compression)),
         value(restitution, KinematicUnit::Ratio, |found| found.restitution),
     ]
+}
+
+/// True if a quantity or an unknown names a contact, with or without its side.
+pub(super) fn is_named(contact: &str, name: &str) -> bool {
+    contact.strip_prefix(name).is_some_and(|side| ["", "_left", "_right"].contains(&side))
+}
+
+/// True if a search requires a quantity of a contact; `start`: beginning of the name of the quantity.
+pub(super) fn is_required(search: &TargetSearch, start: &str, contact: &str) -> bool {
+    let name = format!("{start}{contact}");
+    // A name without a side is that of the first side.
+    search.targets.iter().any(|target| is_named(&name, &target.quantity))
+}
+
+/// Findings of the contacts of which a search requires masses or impacts, without those of the file.
+pub(super) fn contact_findings(model: &Model, search: &TargetSearch) -> Vec<DiagnosticRecord> {
+    let is_listed = |contact: &str| {
+        CONTACT_IMPACT.into_iter().chain([CONTACT_MASS]).any(|start| is_required(search, start, contact))
+    };
+    let names = model.mechanism.contacts().iter().map(NamedContact::name).filter(|name| is_listed(name));
+    let questions = names.map(|name| MassQuestion::without_contact().at_contact(name));
+    let mut found: Vec<DiagnosticRecord> = Vec::new();
+    for report in questions.chain(search.mass.clone()).filter_map(|question| mass(model, &question).ok()) {
+        for finding in report.diagnostics {
+            if !model.diagnostics.contains(&finding) && !found.contains(&finding) {
+                found.push(finding);
+            }
+        }
+    }
+    found
 }

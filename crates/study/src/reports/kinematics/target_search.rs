@@ -6,11 +6,13 @@
 
 use crate::model::changes::Changes;
 use crate::model::loading::{Input, Model};
+use crate::model::record::DiagnosticRecord;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::kinematics::KinematicsQuestion;
 use crate::reports::kinematics::column_names::{target_column, unknown_column};
 use crate::reports::kinematics::contact_values::{
-    CONTACT_IMPACT, CONTACT_MASS, ContactFactors, contact_impact, impact_values, mass_value,
+    CONTACT_IMPACT, CONTACT_MASS, ContactFactors, contact_findings, contact_impact, impact_values, is_named,
+    is_required, mass_value,
 };
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::load_cases::KinematicLoads;
@@ -84,6 +86,8 @@ pub struct TargetReport {
     pub moves: Vec<(String, [f64; 3])>,
     /// Masses of links, kg, as for `--link-mass`.
     pub link_masses: Vec<(String, f64)>,
+    /// Findings about the file, and about the contacts of the values in the design found.
+    pub diagnostics: Vec<DiagnosticRecord>,
     /// Unit of lengths in tables.
     #[serde(skip)]
     pub length_unit: LengthUnit,
@@ -125,11 +129,6 @@ fn scale(unit: KinematicUnit) -> f64 {
         KinematicUnit::AnglePerForce | KinematicUnit::LengthPerForce => 1e-7,
         KinematicUnit::AnglePerMoment | KinematicUnit::LengthPerMoment => 1e-6,
     }
-}
-
-/// True if a quantity or an unknown names a contact, with or without its side.
-fn is_named(contact: &str, name: &str) -> bool {
-    contact.strip_prefix(name).is_some_and(|side| ["", "_left", "_right"].contains(&side))
 }
 
 /// Mass of a link, kg; `None` for an unknown link and a link without mass.
@@ -187,11 +186,7 @@ impl Designs<'_> {
         let mut values = evaluate_state(&prepared, self.question, &self.question.state)?;
         if let Ok(values) = &mut values {
             for contact in model.mechanism.contacts() {
-                let is_required = |start: &str| {
-                    let name = format!("{start}{}", contact.name());
-                    // A name without a side is that of the first side.
-                    self.search.targets.iter().any(|target| is_named(&name, &target.quantity))
-                };
+                let is_required = |start: &str| is_required(self.search, start, contact.name());
                 if CONTACT_IMPACT.into_iter().any(is_required) {
                     let factors = self.factors(x, contact.name());
                     values.0.extend(impact_values(
@@ -537,6 +532,7 @@ pub fn search_targets(
     let found =
         if unknowns == 1 { designs.solve_one(first.clone()) } else { designs.solve_several(first.clone()) };
     let changes = designs.changes(&found.x);
+    let of_contacts = contact_findings(&model.with_changes(&changes)?, search);
     let coordinate = |(k, unknown): (usize, &SearchUnknown)| {
         let (old, name) = old[k];
         let (old, new) = match unknown {
@@ -568,6 +564,7 @@ pub fn search_targets(
         coordinates: search.unknowns.iter().enumerate().map(coordinate).collect(),
         targets: search.targets.iter().enumerate().map(reached).collect(),
         evaluations: designs.evaluations,
+        diagnostics: model.diagnostics.iter().cloned().chain(of_contacts).collect(),
         moves: changes.moves,
         link_masses: changes.link_mass,
         length_unit: model.length_unit(),

@@ -4,7 +4,9 @@
 //! or mimic of the file holds the same links or joints.
 
 use crate::reading::limits::{MAX_COUPLING_SEARCHES, MAX_MIMIC_CHAIN, MIMIC_TOLERANCE};
-use crate::reading::plugins::{changes_joint, joins_links, named_parts, plain_word, unread_joint_message};
+use crate::reading::plugins::{
+    changes_joint, joins_links, keyed_value, named_parts, plain_word, unread_joint_message,
+};
 use crate::reading::report::{Place, Report, quoted, shortened};
 use crate::reading::xml::Node;
 use crate::urdf::elements::joints::joint::MimicText;
@@ -81,7 +83,8 @@ impl<'a> CouplingReader<'_, 'a> {
                 let texts = node
                     .children()
                     .filter_map(move |child| Some((tag, child.text().filter(|_| child.is_text())?)));
-                node.attributes().map(|a| (a.name(), a.value())).chain(texts).chain([(tag, "")])
+                let keyed = keyed_value(tag, |name| node.attribute(name), node.text().unwrap_or_default());
+                node.attributes().map(|a| (a.name(), a.value())).chain(texts).chain(keyed).chain([(tag, "")])
             })
             .collect();
         let value = |wanted: &[&str]| {

@@ -36,12 +36,8 @@ pub struct MotionRatioRecord {
     pub held: Option<String>,
 }
 
-/// Motion ratios of a result: of the requested points, and of the wheel if the ratio holds for every motion.
-///
-/// 1/r = d · v_P per unit closing speed in v*. Let r′ be the speed of the contact per unit speed of the point in
-/// the response of a contact at the point. r holds for every motion if r′ = r; r′/r is the squared cosine
-/// between both motions in the metric of M.
-pub(crate) fn motion_ratios(
+/// Motion ratios of the requested points.
+pub(crate) fn requested_ratios(
     evaluated: &EvaluatedQuestion,
     given: &[RatioPoint],
 ) -> Result<Vec<MotionRatioRecord>, StudyError> {
@@ -58,12 +54,22 @@ pub(crate) fn motion_ratios(
         }
         found.extend(ratio(&evaluated.pose, response, link, point, direction.normalize()));
     }
+    Ok(found)
+}
+
+/// Motion ratios of the wheels, as far as they hold for every motion.
+///
+/// 1/r = d · v_P per unit closing speed in v*. Let r′ be the speed of the contact per unit speed of the point in
+/// the response of a contact at the point. r holds for every motion if r′ = r; r′/r is the squared cosine
+/// between both motions in the metric of M.
+pub(crate) fn wheel_ratios(evaluated: &EvaluatedQuestion) -> Vec<MotionRatioRecord> {
+    let mechanism = &evaluated.prepared.model.mechanism;
     let wheels = wheel_points(mechanism, &evaluated.prepared.question.link);
     let of_wheels = |pose: &Pose, response: &ContactResponse| -> Vec<MotionRatioRecord> {
         let ratio = |link| ratio(pose, response, link, Vector3::zeros(), Vector3::z());
         wheels.iter().filter_map(|link| ratio(*link)).filter(|ratio| ratio.one_travel).collect()
     };
-    let free = of_wheels(&evaluated.pose, response);
+    let free = of_wheels(&evaluated.pose, evaluated.result.mechanism_response());
     // The travel of a wheel is that of its centre. A contact patch moves with itself in every motion, which determines no travel.
     let is_of_centre = |ratio: &MotionRatioRecord| ratio.link.starts_with(WHEEL_CENTRE);
     let has_centre = wheels.is_empty() || free.iter().any(is_of_centre);
@@ -72,8 +78,7 @@ pub(crate) fn motion_ratios(
         let with_rack = |ratio| MotionRatioRecord { held: Some(rack.clone()), ..ratio };
         of_wheels(&pose, &response).into_iter().map(with_rack).collect()
     });
-    found.extend(if held.is_empty() { free } else { held });
-    Ok(found)
+    if held.is_empty() { free } else { held }
 }
 
 /// The pose and the response with the rack held at its position, and the name of the rack; `None` without a rack that can slide.
