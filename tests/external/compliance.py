@@ -3,7 +3,8 @@
     compliance.py --percuss PATH [--count N] [--seed S] [--exudyn]            prints `N passed, N failed`
 
 N random mechanisms as URDF+ with `<bushing>`: trees of two to five links on revolute, prismatic, ball and fixed joints, some with loops of ball joints;
-bushes in place of joints and loops, with random axes, three rates each, dampers or loss factors, torsional rates, and gears. The program here
+bushes in place of joints and loops, with random axes, three rates each, dampers or loss factors, torsional rates, springs of joints, and gears, given
+by `<elastic>` or by a flag. The program here
 shares no code and no method with percuss: six coordinates for each link, ideal joints as rows, a null space by numpy. Compared are free and rigid mass, residual
 compliance with its shares, natural frequencies with participations, the receptance, and impacts without damping: exact by the modes
 of the mechanism on the spring of the contact.
@@ -20,12 +21,12 @@ from pathlib import Path
 
 import numpy as np
 from scipy.linalg import eigh, null_space
-from scipy.optimize import brentq
+from scipy.optimize import brentq, minimize_scalar
 
 # Limits and residual compliance; frequencies; receptance; impacts. Both programs solve systems of condition up to 1e5 in double precision.
-LIMITS, FREQUENCY, RECEPTANCE, IMPACT = 1e-9, 1e-9, 1e-8, 1e-8
-# Peaks of ideal joints are sampled here, in 6000 points of the contact.
-BEARING = 1e-3
+LIMITS, FREQUENCY, RECEPTANCE, IMPACT = 1e-10, 1e-9, 1e-8, 1e-8
+# Largest forces of bushes and ideal joints, of the largest one.
+ELEMENT = 1e-6
 # Exudyn has unit quaternions and a numerical Jacobian of its constraints.
 EXUDYN = 1e-7
 AXES = np.eye(3)
@@ -53,7 +54,7 @@ class Case:
     """Random mechanism: all frames are parallel to the world with the joints at zero; positions in the world."""
 
     def __init__(self, rng, plain=False):
-        self.rng, self.links, self.joints, self.loops, self.bushes = rng, [], [], [], []
+        self.rng, self.links, self.joints, self.loops, self.bushes, self.worst = rng, [], [], [], [], {}
         for i in range(rng.integers(2, 6)):
             parent = -1 if i == 0 else int(rng.integers(-1, i))
             at = rng.normal(size=3) * 0.4
@@ -69,6 +70,9 @@ class Case:
             joint["gear"] = None
             if not joint["bush"] and kind == "revolute" and rng.random() < 0.5 and not plain:
                 joint["gear"] = (rng.uniform(0.05, 1), 10 ** rng.uniform(2, 5), rng.uniform(0, 2))
+            joint["spring"] = None
+            if not joint["bush"] and kind in ("revolute", "prismatic") and rng.random() < 0.6 and not plain:
+                joint["spring"] = (10 ** rng.uniform(1, 4), rng.uniform(0, 5))
             self.joints.append(joint)
         if len(self.links) > 2 and rng.random() < 0.5:
             at = rng.normal(size=3) * 0.4
@@ -113,11 +117,15 @@ class Case:
                        f"<inertia {entries}/></inertial></link>")
         for i, joint in enumerate(self.joints):
             kind = {"revolute": "continuous"}.get(joint["kind"], joint["kind"])
-            gear = f"<dynamics damping='0' friction='0' armature='{float(joint['gear'][0])!r}'/>" if joint["gear"] else ""
+            rotor = f" armature='{float(joint['gear'][0])!r}'" if joint["gear"] else ""
+            spring = f" spring_stiffness='{float(joint['spring'][0])!r}' damping='{float(joint['spring'][1])!r}'" if joint["spring"] else ""
+            gear = f"<dynamics{rotor}{spring}/>" if rotor or spring else ""
             limit = "<limit lower='-1' upper='1' effort='0' velocity='0'/>" if kind == "prismatic" else ""
             axis = f"<axis xyz='{text(joint['axis'])}'/>" if kind in ("continuous", "prismatic") else ""
             out.append(f"<joint name='j{i}' type='{kind}'><origin xyz='{text(joint['at'] - origin(joint['parent']))}'/><parent link='{name(joint['parent'])}'/>"
                        f"<child link='{name(joint['child'])}'/>{axis}{limit}{gear}</joint>")
+            if joint["gear"] and i % 2:
+                out.append(f"<elastic joint='j{i}' stiffness='{float(joint['gear'][1])!r}' damping='{float(joint['gear'][2])!r}'/>")
         for i, loop in enumerate(self.loops):
             a, b = loop["links"]
             out.append(f"<loop name='c{i}' type='spherical'><predecessor link='{name(a)}'><origin xyz='{text(loop['at'] - origin(a))}'/></predecessor>"
@@ -161,6 +169,8 @@ class Case:
             held = {"revolute": [0, 1, 3, 4, 5], "prismatic": [0, 1, 2, 3, 4], "spherical": [3, 4, 5], "fixed": range(6)}[joint["kind"]]
             ideal += [rows[r] for r in held]
             labels += [f"j{number}" if r > 2 else "" for r in held]
+            if joint["spring"]:
+                elastic.append((rows[2 if joint["kind"] == "revolute" else 5], *joint["spring"], 0.0, False))
             if joint["gear"]:
                 inertia, k, c = joint["gear"]
                 mass[rotor, rotor] = inertia
@@ -243,7 +253,8 @@ class Case:
 
 
     def bearings(self, stiffness):
-        """Largest forces of the ideal joints in an impact without damping: maximal coordinates, forces of the rows by least squares, sampled."""
+        """Largest forces of bushes and ideal joints in an impact without damping: maximal coordinates, forces of the rows by least squares, extrema of
+        the sum of the modes."""
         mass, j, elastic = self.matrices()
         whole_mass, ideal, labels = self.full
         j6, elastic6, basis = self.maximal
@@ -255,18 +266,38 @@ class Case:
         w = np.sqrt(np.clip(s, 0, None))
         amplitude = v.T @ mass @ start
         moving = w > 1e-6 * w.max()
-        times = np.linspace(0, self.end, 6001)
-        wave = np.where(moving[:, None], np.sin(np.outer(w, times)) / np.where(moving, w, 1)[:, None], times)
-        z = v @ (amplitude[:, None] * wave)
-        acceleration = v @ (amplitude[:, None] * -(np.where(moving, s, 0)[:, None] * wave))
+        # Forces per mode, whose wave is sin(w t)/w, or t without stiffness.
+        z, squares = v * amplitude, np.where(moving, s, 0)
         u = basis @ z
-        supplied = whole_mass @ basis @ acceleration + np.outer(j6, stiffness * (j6 @ u))
+        supplied = -whole_mass @ u * squares + np.outer(j6, stiffness * (j6 @ u))
         supplied += sum(np.outer(e[0], e[1] * (e[0] @ u)) for e in elastic6)
-        forces = np.linalg.lstsq(ideal.T, supplied, rcond=None)[0]
-        assert np.linalg.norm(ideal.T @ forces - supplied) <= 1e-6 * np.linalg.norm(supplied)
-        names = sorted(set(labels) - {""})
-        size = lambda name: np.sqrt((forces[[label == name for label in labels]] ** 2).sum(axis=0)).max()
-        return {name: size(name) for name in names}
+        forces = np.linalg.lstsq(ideal.T, supplied, rcond=None)[0] if len(ideal) else np.zeros((0, len(w)))
+        largest = np.where(moving, 1 / np.where(moving, w, 1), self.end)
+        assert np.linalg.norm((ideal.T @ forces - supplied) * largest) <= 1e-9 * np.linalg.norm(whole_mass @ u * squares * largest)
+        parts = {name: forces[[label == name for label in labels]] for name in sorted(set(labels) - {""})}
+        names = [f"j{i}" for i, joint in enumerate(self.joints) if joint["bush"]] + [f"c{i}" for i, loop in enumerate(self.loops) if loop["bush"]]
+        for bush, name in zip(self.bushes, names):
+            rows = self.rows(bush["links"], bush["at"], bush["frame"])[3:]
+            parts[f"b_{name}"] = bush["k"][3:, None] * (rows @ u)
+        count = int(np.clip(20 * w.max() * self.end, 4000, 400_000))
+        times = np.linspace(0, self.end, count)
+
+        def wave(t):
+            t = np.atleast_1d(t)
+            return np.where(moving[:, None], np.sin(np.outer(w, t)) / np.where(moving, w, 1)[:, None], t)
+
+        whole = wave(times)
+        peaks = {}
+        for name, part in parts.items():
+            size = lambda t: np.linalg.norm(part @ wave(t), axis=0)
+            values = np.linalg.norm(part @ whole, axis=0)
+            inner = np.nonzero((values[1:-1] >= values[:-2]) & (values[1:-1] >= values[2:]))[0] + 1
+            best = max(values[0], values[-1])
+            for k in inner[values[inner] > 0.999 * values.max()][:200]:
+                found = minimize_scalar(lambda t: -size(t)[0], bounds=(times[k - 1], times[k + 1]), method="bounded", options={"xatol": 1e-9 * (times[1] - times[0])})
+                best = max(best, -found.fun, values[k])
+            peaks[name] = best
+        return peaks
 
 
 def run(percuss, words):
@@ -282,7 +313,7 @@ def compare(percuss, case, folder):
     contact = [str(path), "--link", f"l{case.link}", f"--point={','.join(text([x]) for x in case.point - origin)}",
                f"--normal={','.join(text([x]) for x in case.normal)}"]
     for i, joint in enumerate(case.joints):
-        if joint["gear"]:
+        if joint["gear"] and i % 2 == 0:
             contact += ["--gear-stiffness", f"j{i}={joint['gear'][1]!r},{joint['gear'][2]!r}".replace("np.float64(", "").replace(")", "")]
     has_elastic = case.bushes or any(joint["gear"] for joint in case.joints)
     if not has_elastic:
@@ -297,6 +328,9 @@ def compare(percuss, case, folder):
 
     def close(what, got, want, tolerance, scale=None):
         scale = abs(want) if scale is None else scale
+        if got is not None and scale > 0:
+            kind = what.split(" ")[0]
+            case.worst[kind] = max(case.worst.get(kind, 0.0), abs(got - want) / scale)
         if got is None or not abs(got - want) <= tolerance * scale:
             wrong.append(f"{what}: {got} for {want}")
 
@@ -325,7 +359,7 @@ def compare(percuss, case, folder):
             if impact is None or impact["e"] < 0.02 or got is None or got["duration"] is None:
                 continue
             case.impacts = getattr(case, "impacts", 0) + 1
-            if stiffness == stiffnesses[1] and len(case.full[1]) and np.linalg.matrix_rank(case.full[1]) == len(case.full[1]):
+            if stiffness == stiffnesses[1] and np.linalg.matrix_rank(case.full[1]) == len(case.full[1]):
                 words = ["impact", *contact, "--speed", "1", "--stiffness", f"{stiffness / 1e3!r}N/mm", "--restitution", "1", "--in-time", "--compliance"]
                 report = run(percuss, words)
                 elements = [] if isinstance(report, str) else report["in_time"]["compliant"]["elements"]
@@ -334,7 +368,7 @@ def compare(percuss, case, folder):
                 largest = max(bearings.values())
                 for name, force in bearings.items():
                     of = [one["peak_force"] for one in elements if one["element"] == name and one["direction"] is None]
-                    close(f"force of {name}", of[0] if of else None, force, BEARING, largest)
+                    close(f"force of {name}", of[0] if of else None, force, ELEMENT, largest)
                     case.bearings_compared = getattr(case, "bearings_compared", 0) + 1
             for key, name in (("impulse_mass",) * 2, ("force_mass",) * 2, ("restitution", "e"), ("duration",) * 2):
                 close(f"{key} at {stiffness}", got[key], impact[name], IMPACT)
@@ -391,13 +425,15 @@ def main():
     parser.add_argument("--seed", type=int, default=1)
     parser.add_argument("--exudyn", action="store_true")
     args = parser.parse_args()
-    passed, failed, impacts, bearings = 0, 0, 0, 0
+    passed, failed, impacts, bearings, worst = 0, 0, 0, 0, {}
     with tempfile.TemporaryDirectory() as folder:
         for number in range(args.count):
             case = Case(np.random.default_rng([args.seed, number]), plain=number % 3 == 0)
             wrong = compare(args.percuss, case, Path(folder))
             impacts += getattr(case, "impacts", 0)
             bearings += getattr(case, "bearings_compared", 0)
+            for kind, error in case.worst.items():
+                worst[kind] = max(worst.get(kind, 0.0), error)
             passed, failed = passed + (not wrong), failed + bool(wrong)
             for line in wrong[:6]:
                 print(f"case {number}: {line}")
@@ -416,7 +452,8 @@ def main():
             passed, failed = passed + (not wrong), failed + bool(wrong)
             worst = max(abs(a / b - 1) for a, b in pairs)
             print(f"Exudyn, case {number}: {len(pairs)} frequencies, largest difference {worst:.1e}")
-    print(f"{impacts} impacts, {bearings} bearings; {passed} passed, {failed} failed")
+    print("largest differences:", ", ".join(f"{kind} {error:.1e}" for kind, error in worst.items()))
+    print(f"{impacts} impacts, {bearings} forces of bushes and joints; {passed} passed, {failed} failed")
     sys.exit(failed > 0)
 
 

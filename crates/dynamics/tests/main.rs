@@ -2,5 +2,6 @@
 
 mod compliance;
 mod four_bar;
+mod geometric_stiffness;
 mod inputs;
 mod row_path;

@@ -6,7 +6,7 @@ use crate::reading::findings::Findings;
 use crate::shape::Shape;
 use percuss_mechanism::{
     Accept, ClosureDescription, ContactDescription, CouplingDescription, JointDescription, LinkDescription,
-    Mechanism, MechanismBuilder, Problem, RelationDescription, Subject,
+    Mechanism, MechanismBuilder, Problem, RelationDescription, SpringDamper, Subject,
 };
 
 /// Parts of a model, each with its element.
@@ -78,3 +78,23 @@ impl Parts {
         mechanism
     }
 }
+
+/// Spring and damper of a joint with a number of velocities: stiffness, damping, position without force. `None` without any effect; an error with the
+/// reason why they are left out.
+pub(crate) fn joint_spring(
+    dofs: usize,
+    [stiffness, damping, reference]: [f64; 3],
+) -> Result<Option<SpringDamper>, &'static str> {
+    match dofs {
+        0 => Ok(None),
+        _ if stiffness == 0.0 && damping == 0.0 => Ok(None),
+        _ if stiffness < 0.0 || damping < 0.0 => {
+            Err("its negative stiffness or damping is no spring or damper, and both are left out")
+        }
+        1 => Ok(Some(SpringDamper { stiffness, damping, reference })),
+        _ => Err("its spring and damper are left out: only a joint with one velocity can have them"),
+    }
+}
+
+/// Code of a finding about a spring that is left out.
+pub(crate) const SPRING_LEFT_OUT: &str = "spring-left-out";

@@ -346,6 +346,8 @@ impl MechanismBuilder {
                 .rate_limit
                 .filter(|rate| rate.is_finite() && *rate > 0.0 && joint.kind.dofs() == 1),
             independent: joint.independent,
+            spring: joint.spring,
+            gear: joint.gear,
         };
         self.joints.iter().zip(ends).zip(mimics).map(make).collect()
     }

@@ -46,7 +46,7 @@ impl Mechanism {
                 gap: contact.gap,
             });
         }
-        builder
+        self.bushes.iter().fold(builder, |builder, bush| builder.bush(bush.description().clone()))
     }
 
     /// Description of a coupling of this mechanism as a relation of joint positions.
@@ -100,6 +100,8 @@ impl Mechanism {
                     offset: m.offset,
                 }),
                 independent: joint.independent,
+                spring: joint.spring,
+                gear: joint.gear,
             });
         }
         builder

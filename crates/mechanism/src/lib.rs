@@ -24,7 +24,7 @@ pub use elements::description::{
     MimicDescription, RelationDescription,
 };
 pub use elements::inertial::Inertial;
-pub use elements::joint::{Joint, JointId, JointKind, Limits, Mimic};
+pub use elements::joint::{ElasticGear, Joint, JointId, JointKind, Limits, Mimic, SpringDamper};
 pub use elements::link::{Geometry, Link, LinkId};
 pub use mechanism::Mechanism;
 pub use names::{NameKind, UnknownName, near_names};

@@ -225,6 +225,11 @@ pub enum Problem {
         /// The reason.
         why: String,
     },
+    /// Spring or elastic gear of a joint with an invalid number, or of a joint that cannot have one.
+    BadSpring {
+        /// The reason.
+        why: &'static str,
+    },
     /// Couplings that form a cycle.
     CouplingCycle {
         /// Links at the ends of the coupling that closes the cycle.
@@ -341,6 +346,7 @@ impl Problem {
             | Problem::CouplingOfNothing
             | Problem::UnknownJoint { .. }
             | Problem::BadBush { .. }
+            | Problem::BadSpring { .. }
             | Problem::CouplingCycle { .. }
             | Problem::SeveralRoots { .. }
             | Problem::Cycle { .. }
@@ -386,6 +392,7 @@ impl Problem {
             Problem::CouplingOfNothing => "coupling-of-nothing",
             Problem::UnknownJoint { .. } => "unknown-joint",
             Problem::BadBush { .. } => "bad-bush",
+            Problem::BadSpring { .. } => "bad-spring",
             Problem::CouplingCycle { .. } => "coupling-cycle",
             Problem::SeveralRoots { .. } => "several-roots",
             Problem::Cycle { .. } => "cycle",
@@ -451,6 +458,7 @@ impl fmt::Display for Problem {
                 write_near(f, near)
             }
             Problem::BadBush { why } => f.write_str(why),
+            Problem::BadSpring { why } => f.write_str(why),
             Problem::CouplingCycle { links: [a, b] } => write!(
                 f,
                 "links \"{a}\" and \"{b}\" are coupled already, by way of other couplings: the ratios form a circle"

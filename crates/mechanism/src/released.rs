@@ -27,7 +27,7 @@ impl Mechanism {
                 mimic.offset = 0.0;
             }
             if let Some(kind) = free.get(&i) {
-                joint.kind = *kind;
+                (joint.kind, joint.spring, joint.gear) = (*kind, None, None);
                 joint.armature = vec![0.0; kind.dofs()];
             }
         }
@@ -71,7 +71,7 @@ impl Mechanism {
         for joint in &mut joints {
             joint.kind = JointKind::Floating;
             joint.armature = vec![0.0; JointKind::Floating.dofs()];
-            (joint.mimic, joint.limits) = (None, None);
+            (joint.mimic, joint.limits, joint.spring, joint.gear) = (None, None, None, None);
         }
         self.with_parts(joints, Vec::new(), Vec::new())
     }

@@ -41,6 +41,8 @@ fn describe_joint(mechanism: &Mechanism, joint: &Joint) -> JointDescription {
             offset: mimic.offset,
         }),
         independent: joint.independent(),
+        spring: joint.spring(),
+        gear: joint.gear(),
     }
 }
 

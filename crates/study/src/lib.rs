@@ -123,7 +123,7 @@ pub use reports::impact::in_time::compliant::{
     CompliantEnergyRecord, CompliantImpactRecord, ContactEndName, ElementForceRecord, SecondHitRecord,
 };
 pub use reports::impact::in_time::forces::{
-    AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
+    AntiRollBarRecord, DriveRecord, JointSpringRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
 };
 pub use reports::impact::in_time::{
     BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, SecondTouchRecord,

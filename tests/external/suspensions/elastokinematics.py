@@ -7,6 +7,9 @@ preloads and spring; travel held or not. All motions per load and the compliance
 no code and no method with percuss: four rigid bodies in maximal coordinates with rotations to second order, energies of bushes, spring and wheel load
 as polynomials of second order, and the second derivative of the Lagrange function in the null space of the constraints. Of the forces of the bushes
 at the pose, the part that is not given follows from their stiffness (docs/howto/BUSHES.md).
+
+`percuss response` at a point of the upright is compared too: natural frequencies, residual compliance and receptance with the same stiffness and the
+masses of the sheet.
 """
 
 import argparse
@@ -18,16 +21,20 @@ import tomllib
 from pathlib import Path
 
 import numpy as np
-from scipy.linalg import lstsq, null_space
+from scipy.linalg import eigh, lstsq, null_space
 
 ROOT = Path(__file__).resolve().parents[3]
 SHEET = ROOT / "models/suspensions/double-wishbone-bushes.toml"
 # Condition of the stiffness 1e5; with preloads, percuss has second derivatives by differences of fourth order.
 TOLERANCE, PRELOADED = 1e-9, 1e-8
+# Frequencies by the QZ method here: rounding of the largest square.
+FREQUENCY = 1e-8
 BODIES = ["lower", "upper", "upright", "tie"]
 SIZE = 6 * len(BODIES)
 BODY_OF = {"lower_front": "lower", "lower_back": "lower", "upper_front": "upper", "upper_back": "upper", "tie_rod_inner": "tie"}
 HINGES = {"lower": ("lower_front", "lower_back"), "upper": ("upper_front", "upper_back")}
+# Point of the upright, from the wheel centre, m.
+POINT = np.array([0.02, -0.05, 0.03])
 QUANTITIES = ["toe", "camber", "wheel_centre_x", "wheel_centre_y", "wheel_centre_z", "contact_patch_x", "contact_patch_y"]
 
 
@@ -136,6 +143,9 @@ def answer(sheet, bushes, spring, held):
     if is_loaded:
         second = second - sum(x * row.second for x, row in zip(f, rows)) - force * length.second - load * lowest.second
         second = second + sum(x * row.second for x, row in zip(reactions, constraints))
+    vibrating = {"n": n, "stiffness": second, "geometric": second - (b.T * k) @ b - rate * np.outer(length.gradient, length.gradient),
+                 "rigid": b[moves], "k": k[moves], "height": centre[2].gradient}
+    vibrating["mass"], vibrating["point"] = masses(sheet, at, point, turn)
     flexible = n @ np.linalg.solve(n.T @ second @ n, n.T)
     patch = point("upright", at["wheel_centre"] - [0, 0, radius])
     of = [[row.gradient for row in rows] for rows in (centre, turn["upright"], patch)]
@@ -143,13 +153,70 @@ def answer(sheet, bushes, spring, held):
     motions = dict(zip(QUANTITIES, [-of[1][2], -of[1][0], *of[0], *of[2][:2]]))
     table = {f"{name}_per_{case}": row @ flexible @ g for name, row in motions.items() for case, g in loads.items() if not (held and case == "vertical_force")}
     all_rows = np.array(of[0] + of[1])
-    return table, all_rows @ flexible @ all_rows.T
+    return table, all_rows @ flexible @ all_rows.T, vibrating
+
+
+def masses(sheet, at, point, turn):
+    """Mass matrix with a wheel that spins freely, and rows of a point of the upright."""
+    matrix = np.zeros((SIZE, SIZE))
+
+    def add(body, mass, com, inertia):
+        rows = np.array([row.gradient for row in point(body, com)])
+        turns = np.array([row.gradient for row in turn[body]])
+        return mass * rows.T @ rows + turns.T @ inertia @ turns
+
+    for body, name in (("lower", "lower_arm"), ("upper", "upper_arm"), ("upright", "upright")):
+        i = list(sheet[name]["inertia"]) + [0] * (6 - len(sheet[name]["inertia"]))
+        inertia = np.array([[i[0], i[3], i[4]], [i[3], i[1], i[5]], [i[4], i[5], i[2]]])
+        matrix += add(body, sheet[name]["mass"], np.array(sheet[name]["com"]) * 1e-3, inertia)
+    for name in ("spindle", "wheel"):
+        i = sheet[name]["inertia"]
+        matrix += add("upright", sheet[name]["mass"], at["wheel_centre"], np.diag([i[0], 0, i[2]]))
+    line = at["tie_rod_outer"] - at["tie_rod_inner"]
+    middle, rod = (at["tie_rod_outer"] + at["tie_rod_inner"]) / 2, sheet["tie_rod"]["mass"]
+    matrix += add("tie", rod, middle, rod / 12 * (line @ line * np.eye(3) - np.outer(line, line)))
+    return matrix, np.array([row.gradient for row in point("upright", at["wheel_centre"] + POINT)])
+
+
+def vibrations(v, normal, tyre, omegas):
+    """Natural frequencies in Hz, residual compliance, receptances."""
+    n = v["n"]
+    reduce = lambda matrix: n.T @ matrix @ n
+    mass, j = reduce(v["mass"]), normal @ v["point"] @ n
+    stiffness = reduce(v["stiffness"] + tyre * np.outer(v["height"], v["height"]))
+    receptances = [j @ np.linalg.solve(stiffness - w * w * mass, j) for w in omegas]
+    sizes, axes = np.linalg.eigh(mass)
+    heavy, light = axes[:, sizes > 1e-9 * sizes[-1]], axes[:, sizes <= 1e-9 * sizes[-1]]
+    if light.size:
+        heavy = heavy - light @ np.linalg.solve(light.T @ stiffness @ light, light.T @ stiffness @ heavy)
+    squares = eigh(heavy.T @ stiffness @ heavy, heavy.T @ mass @ heavy, eigvals_only=True)
+    rows = v["rigid"] @ n
+    rigid = null_space(rows, rcond=1e-11)
+    across = np.linalg.svd(rows)[2][: rows.shape[1] - rigid.shape[1]].T
+    inner = np.linalg.pinv(rigid.T @ mass @ rigid, rcond=1e-9)
+    motion = rigid @ inner @ rigid.T @ j
+    motion = motion / (j @ motion)
+    force = j - mass @ motion / (motion @ mass @ motion)
+    free = across - rigid @ inner @ rigid.T @ mass @ across
+    sizes, axes = np.linalg.eigh(rigid.T @ mass @ rigid)
+    light = rigid @ axes[:, sizes <= 1e-9 * sizes[-1]]
+    own = light.T @ stiffness @ light
+    if light.size and np.linalg.eigvalsh(own)[0] > 1e-9 * np.abs(stiffness).max():
+        free = free - light @ np.linalg.solve(own, light.T @ stiffness @ free)
+    held = across.T @ (rows.T * v["k"]) @ rows @ across + free.T @ reduce(v["geometric"]) @ free
+    applied = across.T @ force
+    return np.sqrt(np.abs(squares)) / (2 * np.pi), applied @ np.linalg.solve(held, applied), receptances
 
 
 def car(rng):
     """Random sheet as text, its data, bushes by their axes, spring, travel held."""
     text = SHEET.read_text()
-    head = text[: text.index("[bush.lower_front]")].split("\n")
+    head, skipped = [], False
+    for line in text[: text.index("[bush.lower_front]")].split("\n"):
+        if line.startswith("["):
+            skipped = line.startswith(("[anti_roll_bar]", "[drop_link]"))
+        if not skipped and not line.startswith(("anti_roll_bar_", "drop_link_")):
+            head.append(line)
     for i, line in enumerate(head):
         key, found, rest = line.partition(" = [")
         if found and key in tomllib.loads(text)["points"] and key != "wheel_centre":
@@ -179,7 +246,14 @@ def car(rng):
         text += f"torsional = \"{float(rates[2])!r} N·m/rad\"\nx_axis = {numbers(x)}\n" + (f"axis = {numbers(z)}\n" if z is not None else "")
         if force.any():
             text += f"preload = {with_unit(force, 'N')}\npreload_torque = {with_unit(moment, 'N·m')}\n"
-    return text, tomllib.loads(text), bushes, spring, bool(rng.random() < 0.5)
+    tyre = rng.uniform(1e5, 3e5)
+    text += f'\n[tyre]\nvertical = "{tyre!r} N/m"\n'
+    return text, tomllib.loads(text), bushes, spring, bool(rng.random() < 0.5), tyre
+
+
+def at_link(sheet):
+    """Wheel centre in the frame of the upright, whose origin is its lower ball joint."""
+    return (np.array(sheet["points"]["wheel_centre"]) - np.array(sheet["points"]["lower_ball"])) * 1e-3
 
 
 def main():
@@ -188,10 +262,10 @@ def main():
     parser.add_argument("--count", type=int, default=40)
     parser.add_argument("--seed", type=int, default=1)
     args = parser.parse_args()
-    passed, failed, worst = 0, 0, 0.0
+    passed, failed, worst, vibrating = 0, 0, 0.0, 0.0
     with tempfile.TemporaryDirectory() as folder:
         for number in range(args.count):
-            text, sheet, bushes, spring, held = car(np.random.default_rng([args.seed, number]))
+            text, sheet, bushes, spring, held, tyre = car(np.random.default_rng([args.seed, number]))
             path = Path(folder) / "car.toml"
             path.write_text(text)
             words = [args.percuss, "kinematics", str(path), "--compliance", "--format", "json", *(["--travel-held"] if held else [])]
@@ -201,7 +275,7 @@ def main():
                 wrong = [found.stderr]
             else:
                 report = json.loads(found.stdout)
-                table, matrix = answer(sheet, bushes, spring, held)
+                table, matrix, _ = answer(sheet, bushes, spring, held)
                 loaded = spring[1] != 0 or any(forces.any() for _, _, forces in bushes.values())
                 limit = PRELOADED if loaded else TOLERANCE
                 # A held height does not move.
@@ -219,10 +293,32 @@ def main():
                 worst = max(worst, error)
                 if not error <= limit:
                     wrong.append(f"compliance matrix: {error}")
+                normal = np.array([0.48, 0.6, 0.64])
+                words = ["--link", "upright", f"--point={','.join(repr(float(x)) for x in POINT + at_link(sheet))}", "--normal=0.48,0.6,0.64"]
+                found = subprocess.run([args.percuss, "response", str(path), *words, "--frequency", "3:300Hz:6", "--format", "json"], capture_output=True, text=True)
+                if found.returncode != 0:
+                    wrong.append(found.stderr)
+                else:
+                    report = json.loads(found.stdout)
+                    omegas = 2 * np.pi * np.array(report["frequency"])
+                    squares, compliance, h = vibrations(answer(sheet, bushes, spring, False)[2], normal, tyre, omegas)
+                    modes = np.array([mode["frequency"] for mode in report["modes"]])[-len(squares):]
+                    pairs = [("residual compliance", report["compliance"]["residual_compliance"], compliance, limit)]
+                    pairs += [("frequency", a, b, FREQUENCY) for a, b in zip(modes, squares)]
+                    mobility = report["mobility"]
+                    pairs += [("receptance", complex(re, im) / (1j * w), value, limit * np.abs(h).max() / abs(value))
+                              for re, im, w, value in zip(mobility["real"], mobility["imaginary"], omegas, h)]
+                    left_out = [found for found in report["diagnostics"] if found["code"] == "no-geometric-stiffness"]
+                    wrong += [found["message"] for found in left_out]
+                    for what, got, value, most in pairs:
+                        error = abs(got - value) / abs(value)
+                        vibrating = max(vibrating, error)
+                        if not error <= most:
+                            wrong.append(f"{what}: {got} for {value}")
             passed, failed = passed + (not wrong), failed + bool(wrong)
             for line in wrong[:4]:
                 print(f"car {number}: {line}")
-    print(f"largest difference {worst:.1e}; {passed} passed, {failed} failed")
+    print(f"largest difference {worst:.1e}, of vibrations {vibrating:.1e}; {passed} passed, {failed} failed")
     sys.exit(failed > 0)
 
 

@@ -62,6 +62,13 @@ fn tables(report: &CheckReport) -> [Table; 3] {
             let values: Vec<String> = joint.armature.iter().map(|a| number(*a)).collect();
             notes.push(format!("armature {}", values.join(", ")));
         }
+        if let Some([stiffness, damping, reference]) = joint.spring {
+            let [stiffness, damping, reference] = [stiffness, damping, reference].map(number);
+            notes.push(format!("spring {stiffness}, damping {damping}, free at {reference}"));
+        }
+        if let Some([stiffness, damping]) = joint.gear {
+            notes.push(format!("elastic gear {}, damping {}", number(stiffness), number(damping)));
+        }
         joints.row([
             joint.name.clone(),
             joint.kind.to_owned(),

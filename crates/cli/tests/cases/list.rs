@@ -25,6 +25,7 @@ crate::pages! {
     impacts_restitution "crates/cli/tests/cases/impacts/restitution.md",
     impacts_rigid_impact "crates/cli/tests/cases/impacts/rigid_impact.md",
     impacts_safe_speed "crates/cli/tests/cases/impacts/safe_speed.md",
+    impacts_springs_of_joints "crates/cli/tests/cases/impacts/springs_of_joints.md",
     limits_input_rules "crates/cli/tests/cases/limits/input_rules.md",
     linkages_crossings "crates/cli/tests/cases/linkages/crossings.md",
     linkages_driving_joints "crates/cli/tests/cases/linkages/driving_joints.md",

@@ -203,7 +203,7 @@ impl ChainBuilder {
         // One value for all velocities suits only joints with one unit.
         let count = if kind == JointKind::Floating { 6 } else { 1 };
         let armature = if joint.armature == 0.0 { Vec::new() } else { vec![joint.armature; count] };
-        JointDescription { limits, mimic, armature, ..described }
+        JointDescription { limits, mimic, armature, spring: joint.spring, ..described }
     }
 }
 

@@ -68,6 +68,13 @@ fn write_robot(mechanism: &Mechanism, shapes: &[String], comments: &Comments) ->
         write_comment(&mut out, &comments.joints, joint.name());
         write_joint(&mut out, mechanism, joint);
     }
+    for joint in mechanism.joints() {
+        if let Some(gear) = joint.gear() {
+            let [stiffness, damping] = [gear.stiffness, gear.damping].map(format_number);
+            let name = escape_attribute(joint.name());
+            append!(out, "  <elastic joint=\"{name}\" stiffness=\"{stiffness}\" damping=\"{damping}\"/>\n");
+        }
+    }
     for closure in mechanism.closures() {
         write_comment(&mut out, &comments.closures, closure.name());
         write_closure(&mut out, mechanism, closure);
@@ -91,12 +98,16 @@ pub fn write_urdf_model<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> 
     let parts = model.into();
     let mechanism = parts.mechanism;
     let comments = Comments { heading: vec![heading.to_owned()], ..Comments::default() };
-    let mut changes = common_changes(mechanism, is_written);
+    let mut changes = common_changes(mechanism, is_written, true);
     changes.extend(lost_poses(&parts, "URDF"));
     for joint in mechanism.joints() {
         if joint.kind() == JointKind::Spherical {
             let reason = "a type of URDF+, which other readers of URDF refuse";
             changes.push(Change::changed("joint", joint.name(), "type=\"spherical\"", reason));
+        }
+        if joint.spring().is_some_and(|spring| spring.stiffness > 0.0) {
+            let what = "its spring is spring_stiffness and spring_reference of <dynamics>";
+            changes.push(Change::changed("joint", joint.name(), what, "most readers of URDF ignore them"));
         }
         if has_armature(joint) {
             let what = "its armature is an attribute of <dynamics>";
@@ -201,10 +212,19 @@ fn write_joint(out: &mut String, mechanism: &Mechanism, joint: &Joint) {
     } else if matches!(kind, JointKind::Revolute | JointKind::Prismatic) || joint.rate_limit().is_some() {
         append!(out, "    <limit effort=\"0\" velocity=\"{rate}\"/>\n");
     }
-    if has_armature(joint) {
+    let spring = joint.spring();
+    if has_armature(joint) || spring.is_some() {
         // urdfdom refuses the element without damping and friction.
-        let values = format_numbers(joint.armature());
-        append!(out, "    <dynamics damping=\"0\" friction=\"0\" armature=\"{values}\"/>\n");
+        let damping = format_number(spring.map_or(0.0, |spring| spring.damping));
+        append!(out, "    <dynamics damping=\"{damping}\" friction=\"0\"");
+        if has_armature(joint) {
+            append!(out, " armature=\"{}\"", format_numbers(joint.armature()));
+        }
+        if let Some(spring) = spring.filter(|spring| spring.stiffness > 0.0) {
+            let [stiffness, reference] = [spring.stiffness, spring.reference].map(format_number);
+            append!(out, " spring_stiffness=\"{stiffness}\" spring_reference=\"{reference}\"");
+        }
+        out.push_str("/>\n");
     }
     if let Some(mimic) = joint.mimic() {
         let master = escape_attribute(mechanism.joint(mimic.master).name());

@@ -2,7 +2,7 @@
 
 use crate::shape::Shape;
 use crate::writing::parts::ModelParts;
-use percuss_mechanism::{Bush, LinkId, Mechanism};
+use percuss_mechanism::{Bush, Joint, LinkId, Mechanism};
 use std::fmt;
 
 /// Effect of a conversion on a part of a model.
@@ -83,7 +83,7 @@ pub struct ModelText {
 /// Lost recommendations of driving joints, for which no format of a simulator has an attribute.
 pub(crate) fn lost_roles(mechanism: &Mechanism, format: &str) -> Vec<Change> {
     let with_role = mechanism.joints().iter().filter(|joint| joint.independent().is_some());
-    let loss = |joint: &percuss_mechanism::Joint| {
+    let loss = |joint: &Joint| {
         Change::lost(
             "joint",
             joint.name(),
@@ -113,8 +113,13 @@ pub(crate) fn lost_shape(mechanism: &Mechanism, link: LinkId, shape: &Shape, rea
     Change::lost("link", mechanism.link(link).name(), what, reason)
 }
 
-/// Changes that every format has: names with characters that XML forbids, and bushes for which `is_written` is false.
-pub(crate) fn common_changes(mechanism: &Mechanism, is_written: impl Fn(&Bush) -> bool) -> Vec<Change> {
+/// Changes that every format has: names with characters that XML forbids, bushes for which `is_written` is false, and elastic gears unless the format
+/// has them.
+pub(crate) fn common_changes(
+    mechanism: &Mechanism,
+    is_written: impl Fn(&Bush) -> bool,
+    has_gears: bool,
+) -> Vec<Change> {
     let links = mechanism.links().iter().map(|link| ("link", link.name()));
     let joints = mechanism.joints().iter().map(|joint| ("joint", joint.name()));
     let closures = mechanism.closures().iter().map(|closure| ("loop", closure.name()));
@@ -130,5 +135,9 @@ pub(crate) fn common_changes(mechanism: &Mechanism, is_written: impl Fn(&Bush) -
         Change::lost("bush", bush.name(), "stiffness and damping", reason)
     };
     let bushes = mechanism.bushes().iter().filter(|bush| !is_written(bush));
-    names.filter(is_changed).map(change).chain(bushes.map(lost)).collect()
+    let gears = mechanism.joints().iter().filter(|joint| !has_gears && joint.gear().is_some());
+    let lost_gear = |joint: &Joint| {
+        Change::lost("joint", joint.name(), "elasticity of its gear", "the file has a rigid gear in its place")
+    };
+    names.filter(is_changed).map(change).chain(bushes.map(lost)).chain(gears.map(lost_gear)).collect()
 }

@@ -56,6 +56,45 @@ fn kinds_of_joint_and_their_positions() {
     assert_eq!(codes(&Ok(loaded)), []);
 }
 
+/// MuJoCo 4.0.0: qfrc_spring = −k (qpos − springref), qfrc_damper = −d qvel; qpos is `ref` as drawn.
+#[test]
+fn springs_of_joints() {
+    let text = model(
+        &format!(
+            "<body name=\"a\"><joint name=\"hinge\" ref=\"20\" springref=\"50\" stiffness=\"7\" damping=\"0.2\"/>{BODY}
+               <body name=\"b\"><joint name=\"slide\" type=\"slide\" springref=\"0.1\" stiffness=\"30\"/>{BODY}
+                 <body name=\"c\"><joint name=\"plain\"/>{BODY}</body></body></body>"
+        ),
+        "",
+    );
+    let loaded = read(&text);
+    let spring = |name: &str| {
+        let mechanism = &loaded.mechanism;
+        mechanism.joint(mechanism.find_joint(name).unwrap()).spring()
+    };
+    let hinge = spring("hinge").expect("a spring");
+    assert_eq!((hinge.stiffness, hinge.damping), (7.0, 0.2));
+    assert_relative_eq!(hinge.reference, 30.0_f64.to_radians(), epsilon = 1e-15);
+    let slide = spring("slide").expect("a spring");
+    assert_eq!((slide.stiffness, slide.damping, slide.reference), (30.0, 0.0, 0.1));
+    assert_eq!(spring("plain"), None);
+    let back = read(&percuss_formats::write_mjcf(&loaded.mechanism, "").unwrap().text);
+    for joint in loaded.mechanism.joints() {
+        let again = back.mechanism.joint(back.mechanism.find_joint(joint.name()).unwrap());
+        assert_eq!(again.spring(), joint.spring());
+    }
+    let left_out = [
+        ("type=\"ball\" damping=\"1\"", Severity::Note),
+        ("stiffness=\"-1\"", Severity::Note),
+        ("stiffness=\"1 0 2\"", Severity::Warning),
+        ("springdamper=\"0.1 1\"", Severity::Warning),
+    ];
+    for (attributes, severity) in left_out {
+        let text = model(&format!("<body name=\"a\"><joint name=\"j\" {attributes}/>{BODY}</body>"), "");
+        assert_eq!(codes(&load_mjcf(&text)), [(severity, "spring-left-out")], "{attributes}");
+    }
+}
+
 #[test]
 fn several_joints_and_anchors_make_a_chain() {
     let loaded = read(&model(

@@ -4,8 +4,8 @@ use crate::support::load_text;
 use approx::assert_relative_eq;
 use percuss_formats::{Comments, write_urdf, write_urdf_with};
 use percuss_mechanism::{
-    ClosureDescription, ClosureKind, CouplingDescription, Inertial, JointDescription, JointKind, Limits,
-    LinkDescription, Mechanism, MechanismBuilder,
+    ClosureDescription, ClosureKind, CouplingDescription, ElasticGear, Inertial, JointDescription, JointKind,
+    Limits, LinkDescription, Mechanism, MechanismBuilder, SpringDamper,
 };
 use percuss_spatial::{Matrix3, Transform, Vector3, rotation_from_rpy};
 
@@ -35,6 +35,10 @@ fn every_joint() -> Mechanism {
             .axis([0.6, 0.0, -0.8]);
         joint.independent = [None, Some(true), Some(false)][i % 3];
         joint.armature = (0..kind.dofs()).map(|d| 0.1 / (1.0 + d as f64)).collect();
+        if kind.dofs() == 1 {
+            joint.spring = Some(SpringDamper { stiffness: 1.0 / 3.0, damping: 2e-9, reference: -0.7 });
+            joint.gear = Some(ElasticGear { stiffness: 9e4, damping: 1.0 / 7.0 });
+        }
         if kind == JointKind::Prismatic {
             joint.limits = Some(Limits { lower: -1.0 / 3.0, upper: 1e-9 });
             joint = joint.mimic("revolute", -2.0 / 3.0, 0.1);
@@ -58,6 +62,7 @@ fn every_joint_comes_back() {
         // Decimals are exact to the last bit, even for very small and very large numbers.
         assert_eq!(a.origin().translation, b.origin().translation);
         assert_eq!((a.limits(), a.armature(), a.mimic()), (b.limits(), b.armature(), b.mimic()));
+        assert_eq!((a.spring(), a.gear()), (b.spring(), b.gear()));
         assert_eq!((a.axis(), a.independent()), (b.axis(), b.independent()));
         // Rotations pass through three angles.
         assert_relative_eq!(a.origin().rotation, b.origin().rotation, epsilon = 2e-15);

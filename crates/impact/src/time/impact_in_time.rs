@@ -13,7 +13,8 @@ use crate::time::conditions::{TimeConditions, refuse_grounded_base, spring_force
 use crate::time::equations::{MotionEquations, base_motion, rates_of};
 use crate::time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 use crate::tolerances::{
-    CORNER_DISTANCE, LARGEST_TIME_STEP, MOST_TIME_STEPS, NO_REBOUND, STEPS_WITHOUT_REBOUND, TIME_STEP_ERROR,
+    CORNER_DISTANCE, GOLDEN, LARGEST_TIME_STEP, MOST_TIME_STEPS, NEAR_PEAK, NO_REBOUND, PEAK_PLACE, STEPS_WITHOUT_REBOUND,
+    TIME_STEP_ERROR,
 };
 use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption};
@@ -457,13 +458,15 @@ struct Sampler {
     buffers: ReactionBuffers,
     masses: Workspace,
     samples: Vec<ImpactSample>,
+    /// Largest force within the steps, N.
+    peak: f64,
 }
 
 impl Sampler {
     fn new(motion: &Motion) -> Self {
         let pose = motion.start.clone();
         let (map, masses) = (ReactionMap::new(&pose), pose.assembly().workspace());
-        Self { pose, map, buffers: ReactionBuffers::default(), masses, samples: Vec::new() }
+        Self { pose, map, buffers: ReactionBuffers::default(), masses, samples: Vec::new(), peak: 0.0 }
     }
 
     /// Adds a sample at the current pose. `time`: scaled time; `rate`: derivative of the scaled state by scaled time.
@@ -511,6 +514,7 @@ impl Sampler {
             return;
         }
         let end = self.pose.clone();
+        self.find_peak(motion, h, states);
         for k in 1..=count {
             let part = h * k as f64 / (count + 1) as f64;
             let state = states(part);
@@ -522,9 +526,35 @@ impl Sampler {
         self.pose = end;
     }
 
+    /// Raises the largest force by golden sections within a step, about the largest of the forces at its samples.
+    fn find_peak(&mut self, motion: &Motion, h: f64, states: &dyn Fn(f64) -> Vec<f64>) {
+        let parts = motion.conditions.samples_within_steps + 1;
+        let pose = &mut self.pose;
+        let mut force = |part: f64| motion.instant(&states(part), pose).map_or(0.0, |at| at.force);
+        let place = |k: usize| h * k as f64 / parts as f64;
+        // The last sample is the start of the step.
+        let start = self.samples.last().map_or(0.0, |sample| sample.force);
+        let grid: Vec<f64> = (0..=parts).map(|k| if k == 0 { start } else { force(place(k)) }).collect();
+        let top = (0..=parts).max_by(|&a, &b| grid[a].total_cmp(&grid[b])).unwrap_or(0);
+        let mut peak = self.peak.max(grid[top]);
+        if grid[top] >= NEAR_PEAK * self.peak {
+            let (mut from, mut to) = (place(top.saturating_sub(1)), place((top + 1).min(parts)));
+            while to - from > PEAK_PLACE * h {
+                let width = GOLDEN * (to - from);
+                let (low, high) = (force(to - width), force(from + width));
+                (from, to) = if low > high { (from, from + width) } else { (to - width, to) };
+                peak = peak.max(low).max(high);
+            }
+        }
+        self.peak = peak;
+    }
+
     /// Largest force of the contact.
     fn peak_force(&self, motion: &Motion) -> f64 {
         let largest = self.samples.iter().max_by(|a, b| a.force.total_cmp(&b.force));
+        if motion.conditions.samples_within_steps > 0 {
+            return largest.map_or(0.0, |sample| sample.force.max(self.peak));
+        }
         let is_corner = |sample: &&ImpactSample| {
             let near = |x: &f64| (x - sample.penetration).abs() <= CORNER_DISTANCE * motion.depth;
             motion.conditions.corners.iter().any(near)

@@ -1,7 +1,7 @@
 //! Findings of the builder, and validation of numbers and names.
 
 use crate::elements::description::{JointDescription, LinkDescription};
-use crate::elements::joint::Limits;
+use crate::elements::joint::{ElasticGear, Limits};
 use crate::limits;
 use crate::names::near_names;
 use crate::problem::{Problem, Severity, Subject};
@@ -122,5 +122,29 @@ impl Check {
         if let Some(mimic) = &joint.mimic {
             self.is_valid(&subject, "mimic", [&mimic.multiplier, &mimic.offset]);
         }
+        self.elasticity(&subject, joint);
+    }
+
+    /// Checks the spring and the gear of a joint.
+    fn elasticity(&mut self, subject: &Subject, joint: &JointDescription) {
+        let spring = joint.spring.unwrap_or_default();
+        let gear = joint.gear.unwrap_or(ElasticGear { stiffness: 1.0, damping: 0.0 });
+        let numbers =
+            [spring.stiffness, spring.damping, spring.reference, gear.stiffness, gear.damping];
+        let is_single = joint.kind.dofs() == 1;
+        let why = if !self.is_valid(subject, "spring", &numbers) {
+            return;
+        } else if spring.stiffness < 0.0 || spring.damping < 0.0 || gear.damping < 0.0 {
+            "stiffness and damping of a spring or a gear must be 0 or more"
+        } else if gear.stiffness <= 0.0 {
+            "the stiffness of an elastic gear must be above 0"
+        } else if !is_single && (joint.spring.is_some() || joint.gear.is_some()) {
+            "only a joint with one velocity can have a spring or an elastic gear"
+        } else if joint.gear.is_some() && !joint.armature.iter().any(|inertia| *inertia > 0.0) {
+            "an elastic gear is between the rotor and the joint: give the inertia of the rotor (armature) too"
+        } else {
+            return;
+        };
+        self.add(subject.clone(), Problem::BadSpring { why });
     }
 }

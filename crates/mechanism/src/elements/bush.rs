@@ -35,7 +35,7 @@ pub struct BushDescription {
     /// Factor of the stiffness in motions: stiffness in motion divided by the static stiffness.
     pub dynamic_factor: f64,
     /// Force of each row on `link` at all poses of the rigid mechanism, N·m and N, along the axes of the bush, which move with the link. Static
-    /// displacements have its geometric stiffness, which motions and vibrations leave out.
+    /// displacements and vibrations have its geometric stiffness, which impacts in time leave out.
     pub preload: [f64; 6],
     /// Rows that the rigid mechanism holds. A torsional rate, a spring or a tyre is no such row.
     pub rigid: [bool; 6],

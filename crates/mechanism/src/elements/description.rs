@@ -1,6 +1,6 @@
 //! Descriptions for the builder: names instead of indices, not yet validated.
 
-use crate::{ClosureKind, Geometry, Inertial, JointKind, Limits};
+use crate::{ClosureKind, ElasticGear, Geometry, Inertial, JointKind, Limits, SpringDamper};
 use nalgebra::Vector3;
 use percuss_spatial::Transform;
 
@@ -63,6 +63,10 @@ pub struct JointDescription {
     pub mimic: Option<MimicDescription>,
     /// Preference where loops leave a choice: `true` for an independent (driving), `false` for a dependent joint.
     pub independent: Option<bool>,
+    /// Spring and damper parallel to the motion of a joint with one velocity.
+    pub spring: Option<SpringDamper>,
+    /// Elasticity of the gear of a joint with one velocity and an armature.
+    pub gear: Option<ElasticGear>,
 }
 
 impl JointDescription {
@@ -85,6 +89,8 @@ impl JointDescription {
             armature: Vec::new(),
             mimic: None,
             independent: None,
+            spring: None,
+            gear: None,
         }
     }
 
@@ -108,6 +114,18 @@ impl JointDescription {
     /// Sets the armature of every velocity (kg·m² or kg).
     pub fn armature(mut self, value: f64) -> Self {
         self.armature = vec![value];
+        self
+    }
+
+    /// Sets the spring and damper parallel to the motion.
+    pub fn spring(mut self, spring: SpringDamper) -> Self {
+        self.spring = Some(spring);
+        self
+    }
+
+    /// Sets the elasticity of the gear between the rotor and the joint.
+    pub fn gear(mut self, gear: ElasticGear) -> Self {
+        self.gear = Some(gear);
         self
     }
 

@@ -151,6 +151,30 @@ pub struct Mimic {
     pub offset: f64,
 }
 
+/// Spring and damper parallel to the motion of a joint with one velocity: the force or moment −k (q − q₀) − d q̇ on the joint.
+///
+/// It has no effect on effective masses.
+#[derive(Clone, Copy, Debug, Default, PartialEq)]
+pub struct SpringDamper {
+    /// Stiffness k, N·m/rad or N/m; 0 for a damper alone.
+    pub stiffness: f64,
+    /// Damping d, N·m·s/rad or N·s/m.
+    pub damping: f64,
+    /// Position without force q₀, rad or m.
+    pub reference: f64,
+}
+
+/// Elasticity of the gear between the rotor of a joint with one velocity, its armature, and the joint: in series with the drive.
+///
+/// The rigid mechanism holds it: rotor and joint move together.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ElasticGear {
+    /// Stiffness at the joint, N·m/rad or N/m, above 0.
+    pub stiffness: f64,
+    /// Damping, N·m·s/rad or N·s/m.
+    pub damping: f64,
+}
+
 /// Joint between a parent and a child link.
 #[derive(Clone, Debug)]
 pub struct Joint {
@@ -166,6 +190,8 @@ pub struct Joint {
     pub(crate) armature: Vec<f64>,
     pub(crate) mimic: Option<Mimic>,
     pub(crate) independent: Option<bool>,
+    pub(crate) spring: Option<SpringDamper>,
+    pub(crate) gear: Option<ElasticGear>,
 }
 
 impl Joint {
@@ -223,5 +249,15 @@ impl Joint {
     /// does not depend on the preference.
     pub fn independent(&self) -> Option<bool> {
         self.independent
+    }
+
+    /// Spring and damper parallel to the motion, if any.
+    pub fn spring(&self) -> Option<SpringDamper> {
+        self.spring
+    }
+
+    /// Elasticity of the gear between rotor and joint; `None` for a rigid gear.
+    pub fn gear(&self) -> Option<ElasticGear> {
+        self.gear
     }
 }

@@ -266,6 +266,9 @@ class Model:
     def closures(self) -> list[str]:
         """Names of the loop closures and couplings."""
     @property
+    def bushes(self) -> list[str]:
+        """Names of the bushes."""
+    @property
     def contacts(self) -> list[str]:
         """Names of the contacts."""
     def contact(self, name: str) -> Contact:
@@ -308,6 +311,31 @@ class Model:
         about the centre of mass are unchanged. link_inertia: link to moments of inertia about the centre of mass, (3,) kg·m²,
         about the axes of the link's frame; the products of inertia are unchanged. move: hardpoint of a sheet to displacement,
         (3,) m, sheet's axes."""
+    def with_bush(
+        self,
+        name: str,
+        link: str,
+        *,
+        stiffness: Sequence[float],
+        against: str = "world",
+        at: Sequence[float] = ...,
+        axis: Sequence[float] = ...,
+        x_axis: Sequence[float] | None = None,
+        damping: Sequence[float] = ...,
+        loss_factor: float = 0.0,
+        dynamic_factor: float = 1.0,
+        preload: Sequence[float] = ...,
+        replaces: Sequence[str] = ...,
+        rigid: Sequence[bool] | None = None,
+    ) -> Model:
+        """Copy of the model with a bush: an elastic connection of two links, with one row for each direction of the bush (BushDescription in Rust).
+
+        against: link on the other side, "world" for the ground. at: (3,) m, axis: (3,) direction z of the bush, x_axis: (3,) its x, by default any
+        direction across the axis; all in the axes of `link`. stiffness: (6,) of small rotations about x and y (conical) and z (torsional), N·m/rad, then
+        of translations along x and y (radial) and z (axial), N/m; math.inf for a row that allows no motion. damping: (6,) N·m·s/rad and N·s/m.
+        loss_factor, dynamic_factor: of all rows. preload: (6,) N·m and N on `link` at all poses. replaces: joints and closures in whose place the bush is.
+        rigid: (6,) rows that the rigid mechanism holds; by default the translations if the bush replaces a joint. `mass`, `response` and
+        impact(in_time=True, compliance=True) have its effect."""
     def to_urdf(self) -> str:
         """The mechanism as URDF."""
     def to_mjcf(self) -> str:

@@ -7,8 +7,10 @@ use crate::analysis::system::{Assembly, System, position_names, velocity_names};
 use crate::conversion::diagnostic::Diagnostic;
 use crate::conversion::errors;
 use crate::conversion::threads::abandonable;
+use percuss::nalgebra::{Matrix3, Vector3};
+use percuss::spatial::Transform;
 use percuss::study::{Changes, contact_of_text};
-use percuss::{JointKind, write_mjcf, write_sdf, write_urdf};
+use percuss::{BushDescription, JointKind, write_mjcf, write_sdf, write_urdf};
 use pyo3::prelude::*;
 use pyo3::types::{PyAny, PyDict};
 use std::collections::BTreeMap;
@@ -19,6 +21,8 @@ type RebuiltModel<'py> = (Bound<'py, PyAny>, (Vec<u8>, String, Vec<String>));
 
 /// Number of links from which changes of a model take some milliseconds.
 const LARGE_MODEL: usize = 64;
+/// Part of the length of a direction that is across an axis, below which the direction is along the axis.
+const ALONG_AXIS: f64 = 1e-9;
 
 #[pymethods]
 impl Model {
@@ -64,6 +68,12 @@ impl Model {
         let mechanism = &self.read.mechanism;
         let couplings = mechanism.couplings().iter().map(|coupling| coupling.name());
         mechanism.closures().iter().map(|closure| closure.name()).chain(couplings).collect()
+    }
+
+    /// Names of the bushes.
+    #[getter]
+    fn bushes(&self) -> Vec<&str> {
+        self.read.mechanism.bushes().iter().map(|bush| bush.name()).collect()
     }
 
     /// Names of the contacts.
@@ -167,6 +177,63 @@ impl Model {
         let (read, is_large) = (Arc::clone(&self.read), self.read.mechanism.links().len() >= LARGE_MODEL);
         let read = abandonable(py, is_large, move || read.with_changes(&changes))?;
         Model::new(py, read.map_err(errors::design)?)
+    }
+
+    /// Copy of the model with a bush: an elastic connection of two links, with one row for each direction of the bush (BushDescription in Rust).
+    ///
+    /// against: link on the other side, "world" for the ground. at: (3,) m, axis: (3,) direction z of the bush, x_axis: (3,) its x, by default any
+    /// direction across the axis; all in the axes of `link`. stiffness: (6,) of small rotations about x and y (conical) and z (torsional), N·m/rad, then
+    /// of translations along x and y (radial) and z (axial), N/m; math.inf for a row that allows no motion. damping: (6,) N·m·s/rad and N·s/m.
+    /// loss_factor, dynamic_factor: of all rows. preload: (6,) N·m and N on `link` at all poses. replaces: joints and closures in whose place the bush is.
+    /// rigid: (6,) rows that the rigid mechanism holds; by default the translations if the bush replaces a joint. `mass`, `response` and
+    /// impact(in_time=True, compliance=True) have its effect.
+    #[pyo3(signature = (name, link, *, stiffness, against="world", at=[0.0; 3], axis=[0.0, 0.0, 1.0], x_axis=None, damping=[0.0; 6], loss_factor=0.0, dynamic_factor=1.0, preload=[0.0; 6], replaces=Vec::new(), rigid=None))]
+    #[allow(clippy::too_many_arguments, reason = "one for each number of a bush")]
+    fn with_bush(
+        &self,
+        py: Python<'_>,
+        name: String,
+        link: String,
+        stiffness: [f64; 6],
+        against: &str,
+        at: [f64; 3],
+        axis: [f64; 3],
+        x_axis: Option<[f64; 3]>,
+        damping: [f64; 6],
+        loss_factor: f64,
+        dynamic_factor: f64,
+        preload: [f64; 6],
+        replaces: Vec<String>,
+        rigid: Option<[bool; 6]>,
+    ) -> PyResult<Self> {
+        let z = Vector3::from(axis).try_normalize(0.0);
+        let z = z.ok_or_else(|| errors::of_argument("axis")(errors::input("the axis is zero; expected a direction")))?;
+        let x = match x_axis {
+            Some(given) => {
+                let given = Vector3::from(given);
+                let across = given - z * z.dot(&given);
+                let is_across = across.norm() > ALONG_AXIS * given.norm();
+                across.try_normalize(0.0).filter(|_| is_across).ok_or_else(|| {
+                    errors::of_argument("x_axis")(errors::input("it is zero or along the axis; expected a direction across"))
+                })?
+            }
+            None => percuss::spatial::plane_basis(&z).0,
+        };
+        let rotation = Matrix3::from_columns(&[x, z.cross(&x), z]);
+        let held = !replaces.is_empty();
+        let bush = BushDescription {
+            frame: Transform::new(rotation, at.into()),
+            stiffness,
+            damping,
+            loss_factor,
+            dynamic_factor,
+            preload,
+            rigid: rigid.unwrap_or([false, false, false, held, held, held]),
+            replaces,
+            ..BushDescription::new(name, link, against)
+        };
+        let read = percuss::study::Model::clone(&self.read).with_bushes(&[bush]).map_err(errors::study)?;
+        Ok(Self { read: Arc::new(read), source: None })
     }
 
     /// The mechanism under conditions.

@@ -7,7 +7,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::thresholds::{LARGEST_COORDINATE, MAX_MASS_RATIO};
 use percuss_formats::{LoadError, inertia_of_shapes};
-use percuss_mechanism::{BuildError, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject};
+use percuss_mechanism::{BuildError, BushDescription, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
@@ -68,13 +68,27 @@ impl Model {
         Ok(model)
     }
 
-    /// Model with the loops that a study added to `other`.
+    /// Model with further bushes, which also act after later changes.
+    ///
+    /// # Errors
+    /// [`StudyError`]: names that do not exist, invalid numbers, joints that a bush cannot replace.
+    pub fn with_bushes(mut self, bushes: &[BushDescription]) -> Result<Model, StudyError> {
+        let builder = bushes.iter().cloned().fold(self.mechanism.to_builder(), |b, bush| b.bush(bush));
+        self.mechanism = Arc::new(builder.build().map_err(build_error_as_fault(Field::Model))?.mechanism);
+        self.origin.bushes.extend_from_slice(bushes);
+        Ok(self)
+    }
+
+    /// Model with the loops that a study added to `other`, and with its further bushes.
     pub(crate) fn with_closures_of(mut self, other: &Model) -> Result<Model, StudyError> {
         if !other.origin.closures.is_empty() {
             let closures = other.origin.closures.iter().cloned();
             let builder = closures.fold(self.mechanism.to_builder(), |b, closure| b.closure(closure));
             self.mechanism = Arc::new(builder.build().map_err(build_error_as_fault(Field::Model))?.mechanism);
             self.origin.closures.clone_from(&other.origin.closures);
+        }
+        if !other.origin.bushes.is_empty() {
+            self = self.with_bushes(&other.origin.bushes)?;
         }
         Ok(self)
     }

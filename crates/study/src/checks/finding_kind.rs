@@ -77,6 +77,7 @@ finding_kinds! {
     ImplausibleContact = "implausible-contact", Warning, Report;
     IndefiniteMassMatrix = "indefinite-mass-matrix", Warning, Pose;
     InexactLoops = "inexact-loops", Warning, Model;
+    JointSprings = "joint-springs", Note, Model;
     LawContradicted = "law-contradicted", Warning, Report;
     LawOfCurve = "law-of-curve", Note, Report;
     ManyTurns = "many-turns", Warning, Model;
@@ -88,6 +89,7 @@ finding_kinds! {
     NoCompliance = "no-compliance", Warning, Report;
     NoDamper = "no-damper", Warning, Report;
     NoDriver = "no-driver", Warning, Report;
+    NoGeometricStiffness = "no-geometric-stiffness", Note, Report;
     NotFinite = "not-finite", Warning, Pose;
     NotUnitQuaternion = "not-unit-quaternion", Warning, Pose;
     ObliqueStop = "oblique-stop", Note, Report;

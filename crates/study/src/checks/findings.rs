@@ -48,16 +48,33 @@ pub(crate) fn collect_pose_findings(system: &System, pose: &Pose, names: Names) 
 /// Findings about the conditions of a question: gears that are rigid, joints that turn more than once.
 pub(crate) fn condition_findings(mechanism: &Mechanism, question: &MassQuestion) -> Vec<Finding> {
     let mut found = Vec::new();
-    if !question.gear_stiffness.is_empty() {
+    if !question.gear_stiffness.is_empty() || mechanism.joints().iter().any(|joint| joint.gear().is_some()) {
         let message = "the gears are rigid in this result; percuss mass states the effect of their stiffness, percuss response the \
                        vibrations";
         found.push(Finding::about_result(FindingKind::GearsRigid, message.to_owned()));
+    }
+    let has_spring = |id: &JointId| mechanism.joint(*id).spring().is_some_and(|spring| spring.stiffness > 0.0);
+    let sprung: Vec<JointId> = mechanism.joint_ids().filter(has_spring).collect();
+    if !sprung.is_empty() {
+        let message = format!(
+            "springs of joints ({}) are left out of this result; percuss response and an impact in time include them",
+            joint_list(mechanism, &sprung)
+        );
+        found.push(Finding::about_result(FindingKind::JointSprings, message));
     }
     found.extend(question.set.iter().filter_map(|(joint, position)| {
         let joint = mechanism.find_joint(joint).ok()?;
         many_turns_finding(mechanism, joint, position.single()?, MOST_TURNS_SET, "is at")
     }));
     found
+}
+
+/// Names of at most three joints, and the number of all.
+pub(crate) fn joint_list(mechanism: &Mechanism, joints: &[JointId]) -> String {
+    let names: Vec<&str> = joints.iter().take(3).map(|joint| mechanism.joint(*joint).name()).collect();
+    let more = joints.len() - names.len();
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    format!("{}{more}", names.join(", "))
 }
 
 /// Findings about closure of the loops and about the driving joints.

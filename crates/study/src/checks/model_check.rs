@@ -89,6 +89,10 @@ pub struct JointRecord {
     pub limits: Option<[f64; 2]>,
     /// Rotor inertia reflected to the joint, one value per velocity.
     pub armature: Vec<f64>,
+    /// Stiffness (N·m/rad or N/m), damping (N·m·s/rad or N·s/m) and position without force (rad or m) of the spring of the joint.
+    pub spring: Option<[f64; 3]>,
+    /// Stiffness (N·m/rad or N/m) and damping (N·m·s/rad or N·s/m) of the elastic gear of the joint.
+    pub gear: Option<[f64; 2]>,
     /// Master joint of a mimic.
     pub mimics: Option<String>,
 }
@@ -246,6 +250,8 @@ fn joints(mechanism: &Mechanism) -> Vec<JointRecord> {
         axis: joint.kind().has_axis().then(|| (*joint.axis()).into()),
         limits: joint.limits().map(|l| [l.lower, l.upper]),
         armature: joint.armature().to_vec(),
+        spring: joint.spring().map(|spring| [spring.stiffness, spring.damping, spring.reference]),
+        gear: joint.gear().map(|gear| [gear.stiffness, gear.damping]),
         mimics: joint.mimic().map(|m| mechanism.joint(m.master).name().to_owned()),
     };
     mechanism.joints().iter().map(record).collect()

@@ -3,7 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::sheet_forces::{
-    ElementForce, SheetElement, SheetTyre, sheet_bars, sheet_elements, sheet_tyres,
+    ElementForce, SheetElement, SheetTyre, joint_springs, sheet_bars, sheet_elements, sheet_tyres,
 };
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
@@ -12,9 +12,13 @@ use crate::question::field::Field;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::{DAMPER_SLOPE_SPEED, FORCE_CHANGE, IMPULSE_CHANGE, SAME_MASS};
 use crate::values::drives::GivenSpring;
-use percuss_dynamics::{ComplianceError, ElasticSystem, ElementMotion, LinearElement, ResidualCompliance};
+use percuss_dynamics::{
+    ComplianceError, ElasticSystem, ElementMotion, LinearElement, Load, ResidualCompliance,
+};
 use percuss_impact::{ContactEnd, compliant_impact_of};
+use percuss_mechanism::{Bush, JointId, SpringDamper};
 use percuss_spatial::Vector3;
+use percuss_suspension::kinematics::{SuspensionParts, sliding_rack};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::f64::consts::{PI, TAU};
@@ -37,7 +41,7 @@ pub struct ComplianceRecord {
     /// True if no spring, damper, tyre, anti-roll bar or free rotation of a bush with stiffness acts along the motion of the rigid mechanism: the lower bounds
     /// of an impact hold.
     pub lower_bounds_hold: bool,
-    /// Springs, dampers, tyres and anti-roll bars of the sheet.
+    /// Springs, dampers, tyres and anti-roll bars of the sheet; joints with a spring or a damper.
     pub beside: Vec<String>,
     /// Largest stiffnesses of a contact, N/m, up to which the rigid mass is right within 1 % and within 5 %, by the rule of thumb.
     pub rigid_up_to: Option<[f64; 2]>,
@@ -98,10 +102,11 @@ pub struct UndampedImpactRecord {
     pub most_impulse_mass: Option<f64>,
 }
 
-/// Springs, dampers, tyres and the anti-roll bar of the suspension sheet as linear elements; a damper has its slope at speed 0.
+/// Springs, dampers, tyres and the anti-roll bar of the suspension sheet, and springs of joints, as linear elements; a damper has its slope at speed 0.
 fn linear_elements(evaluated: &EvaluatedQuestion) -> Vec<LinearElement> {
     let model = evaluated.prepared.model;
     let linear = |element: SheetElement<'_>| {
+        let force = element.whole_force(evaluated).unwrap_or(0.0);
         let (stiffness, damping) = match element.force {
             ElementForce::Spring(spring) => (spring.rate, 0.0),
             ElementForce::Damper(curve) => {
@@ -110,7 +115,7 @@ fn linear_elements(evaluated: &EvaluatedQuestion) -> Vec<LinearElement> {
             }
         };
         let motion = ElementMotion::Length(element.ends);
-        LinearElement { damping, ..LinearElement::spring(element.name, motion, stiffness) }
+        LinearElement { damping, force, ..LinearElement::spring(element.name, motion, stiffness) }
     };
     let tyre = |tyre: SheetTyre<'_>| {
         let motion = ElementMotion::Along(tyre.link, Vector3::zeros(), Vector3::z());
@@ -118,14 +123,53 @@ fn linear_elements(evaluated: &EvaluatedQuestion) -> Vec<LinearElement> {
         LinearElement { damping: tyre.force.damping, ..spring }
     };
     let bar = sheet_bars(model).map(|bar| bar.element());
+    let at_joint = |(joint, spring): (JointId, SpringDamper)| {
+        let name = model.mechanism.joint(joint).name();
+        let element = LinearElement::spring(name, ElementMotion::Twist(joint, None), spring.stiffness);
+        LinearElement { damping: spring.damping, ..element }
+    };
     let elements = sheet_elements(model).into_iter().map(linear);
-    elements.chain(sheet_tyres(model).into_iter().map(tyre)).chain(bar).collect()
+    let elements = elements.chain(sheet_tyres(model).into_iter().map(tyre)).chain(bar);
+    elements.chain(joint_springs(&evaluated.pose).map(at_joint)).collect()
 }
 
-/// Mechanism with elastic bushes at the evaluated contact, with the springs and dampers of the sheet.
-pub(crate) fn elastic_system(evaluated: &EvaluatedQuestion) -> Result<ElasticSystem, StudyError> {
+/// Mechanism with elastic bushes at the evaluated contact, with springs and dampers, and with the geometric stiffness of preloads and springs; a finding
+/// if the latter is left out.
+pub(crate) fn elastic_system(
+    evaluated: &EvaluatedQuestion,
+) -> Result<(ElasticSystem, Option<Finding>), StudyError> {
     let elements = linear_elements(evaluated).into_iter().chain(gear_elements(evaluated)?);
-    elastic_system_with(evaluated, &elements.collect::<Vec<_>>())
+    let elements: Vec<LinearElement> = elements.collect();
+    let system = elastic_system_with(evaluated, &elements)?;
+    let has_force = |bush: &Bush| bush.description().preload != [0.0; 6];
+    let bushes = evaluated.pose.mechanism().bushes();
+    if !bushes.iter().any(has_force) && elements.iter().all(|element| element.force == 0.0) {
+        return Ok((system, None));
+    }
+    let rack = sliding_rack(evaluated.pose.mechanism());
+    let rack = rack.filter(|rack| !bushes.iter().any(|bush| bush.joints().contains(rack)));
+    let held: Vec<JointId> = rack.into_iter().collect();
+    let loaded = wheel_loads(evaluated).and_then(|loads| {
+        let loaded = system.clone().with_geometric_stiffness(&loads, &held);
+        let stable = loaded.and_then(|loaded| loaded.modes().map(|_| loaded));
+        stable.map_err(|error| error.to_string())
+    });
+    match loaded {
+        Ok(loaded) => Ok((loaded, None)),
+        Err(why) => {
+            let message = format!("the geometric stiffness of preloads and springs is left out: {why}");
+            Ok((system, Some(Finding::about_result(FindingKind::NoGeometricStiffness, message))))
+        }
+    }
+}
+
+/// Forces on the wheels of a suspension that balance springs and preloads; empty for other models.
+fn wheel_loads(evaluated: &EvaluatedQuestion) -> Result<Vec<Load>, String> {
+    let EvaluatedQuestion { prepared, pose, .. } = evaluated;
+    let Some(sheet) = prepared.model.origin.sheet.as_deref() else { return Ok(Vec::new()) };
+    let drawn = prepared.system.pose(&prepared.system.configuration()).map_err(|error| error.to_string())?;
+    let parts = SuspensionParts::new(drawn, &sheet.understood).map_err(|error| error.to_string())?;
+    parts.wheel_loads(pose)
 }
 
 /// Mechanism with elastic bushes at the evaluated contact, with the given elements.
@@ -146,7 +190,8 @@ pub(crate) fn compliance_error(error: ComplianceError) -> StudyError {
     }
 }
 
-/// Elastic gears of the question.
+/// Elastic gears: those of the question, and those of the model for other joints. A gear of the model at a locked joint, or one whose rotor the
+/// question removes, has no effect.
 pub(crate) fn gear_elements(evaluated: &EvaluatedQuestion) -> Result<Vec<LinearElement>, StudyError> {
     let EvaluatedQuestion { prepared, pose, .. } = evaluated;
     let given = &prepared.question.gear_stiffness;
@@ -182,7 +227,26 @@ pub(crate) fn gear_elements(evaluated: &EvaluatedQuestion) -> Result<Vec<LinearE
         let gear = LinearElement::spring(name, ElementMotion::Gear(joint), stiffness);
         Ok(LinearElement { damping, ..gear })
     };
-    given.iter().enumerate().map(gear).collect()
+    let mut gears = given.iter().enumerate().map(gear).collect::<Result<Vec<_>, _>>()?;
+    gears.extend(model_gears(evaluated).filter(|(name, _)| given.iter().all(|(other, _)| other != name)).map(|found| found.1));
+    Ok(gears)
+}
+
+/// Elastic gears of the model that act at the pose, with the names of their joints.
+fn model_gears<'e>(evaluated: &'e EvaluatedQuestion) -> impl Iterator<Item = (&'e str, LinearElement)> {
+    let pose = &evaluated.pose;
+    pose.mechanism().joint_ids().filter_map(move |id| {
+        let joint = pose.mechanism().joint(id);
+        let gear = joint.gear()?;
+        let acts = !pose.is_locked(id) && pose.armature(id).iter().any(|inertia| *inertia > 0.0);
+        let element = LinearElement::spring(joint.name(), ElementMotion::Gear(id), gear.stiffness);
+        acts.then(|| (joint.name(), LinearElement { damping: gear.damping, ..element }))
+    })
+}
+
+/// True if the question or the model has an elastic gear.
+fn has_gears(evaluated: &EvaluatedQuestion) -> bool {
+    !evaluated.prepared.question.gear_stiffness.is_empty() || model_gears(evaluated).next().is_some()
 }
 
 /// True if the model has bushes in place of joints.
@@ -193,7 +257,7 @@ fn has_bushes(evaluated: &EvaluatedQuestion) -> bool {
 
 /// True if the model has bushes in place of joints, or elastic gears.
 pub(crate) fn has_elastic_joints(evaluated: &EvaluatedQuestion) -> bool {
-    has_bushes(evaluated) || !evaluated.prepared.question.gear_stiffness.is_empty()
+    has_bushes(evaluated) || has_gears(evaluated)
 }
 
 /// Compliance of the bushes and gears at a contact; `None` for a model without them, or with the reason as a finding. `damping`: contact whose
@@ -209,8 +273,9 @@ pub(crate) fn compliance(
         return Ok((None, None));
     }
     let system = elastic_system(evaluated);
-    match system.and_then(|system| system.residual().map_err(compliance_error)) {
-        Ok(found) => {
+    let found = system.and_then(|(system, left_out)| Ok((system.residual().map_err(compliance_error)?, left_out)));
+    match found {
+        Ok((found, left_out)) => {
             let soft = Status::classify(found.rigid).1;
             let rigid = Status::classify(evaluated.result.response.effective_mass).1;
             let differs = soft.zip(rigid).is_some_and(|(soft, rigid)| (soft / rigid - 1.0).abs() > SAME_MASS);
@@ -229,7 +294,7 @@ pub(crate) fn compliance(
                     (contact.impulse_change, contact.force_change) = (None, None);
                 }
             }
-            Ok((Some(record), finding))
+            Ok((Some(record), finding.or(left_out)))
         }
         Err(StudyError::NoResult(error)) => {
             let message = format!("the compliance of the bushes and gears is not computed: {error}");
@@ -301,9 +366,9 @@ fn record(
         })
     };
     let contact = linear.map(contact).transpose()?;
-    let elastic = match (has_bushes(evaluated), evaluated.prepared.question.gear_stiffness.is_empty()) {
-        (true, true) => "bushes",
-        (true, false) => "bushes and gears",
+    let elastic = match (has_bushes(evaluated), has_gears(evaluated)) {
+        (true, false) => "bushes",
+        (true, true) => "bushes and gears",
         (false, _) => "gears",
     };
     Ok(ComplianceRecord {

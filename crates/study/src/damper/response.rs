@@ -117,7 +117,7 @@ pub fn response(
 ) -> Result<ResponseReport, StudyError> {
     asked.check()?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
-    let system = elastic_system(&evaluated)?;
+    let (system, left_out) = elastic_system(&evaluated)?;
     let frequency = asked.frequency.unwrap_or_default().values();
     let omega: Vec<f64> = frequency.iter().map(|f| TAU * f).collect();
     let found = system.receptance(&omega).map_err(compliance_error)?;
@@ -137,8 +137,10 @@ pub fn response(
     let mut diagnostics = prepared.model.diagnostics.clone();
     let named_contact = named_contact(&evaluated)?;
     let mut findings = answer_findings(&evaluated, named_contact.as_ref());
-    findings.retain(|finding| !FindingKind::ELASTIC.contains(&finding.kind()));
-    diagnostics.extend(findings.into_iter().map(DiagnosticRecord::from));
+    findings.retain(|finding| {
+        !FindingKind::ELASTIC.contains(&finding.kind()) && finding.kind() != FindingKind::JointSprings
+    });
+    diagnostics.extend(findings.into_iter().chain(left_out).map(DiagnosticRecord::from));
     Ok(ResponseReport {
         schema: "percuss.response/1",
         percuss: env!("CARGO_PKG_VERSION"),

@@ -2,6 +2,7 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
+use crate::checks::findings::joint_list;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
@@ -13,7 +14,7 @@ use crate::thresholds::SPRING_EFFECT;
 use crate::values::force_curve::GivenCurve;
 use percuss_contact::{CompliantContact, Damper, DamperCurve, restitution_beside_forces};
 use percuss_dynamics::{PointVelocity, Pose};
-use percuss_mechanism::{ContactKind, ContactNormal, JointId, LinkId};
+use percuss_mechanism::{ContactKind, ContactNormal, JointId, LinkId, SpringDamper};
 use percuss_spatial::Vector3;
 use percuss_suspension::kinematics::AntiRollBar;
 use percuss_suspension::{SpringForce, TyreForce};
@@ -95,6 +96,12 @@ pub(crate) fn sheet_bars(model: &Model) -> Option<AntiRollBar> {
     AntiRollBar::of_suspension(&model.mechanism, stiffness)
 }
 
+/// Springs and dampers of the joints of a model that move at a pose.
+pub(crate) fn joint_springs(pose: &Pose) -> impl Iterator<Item = (JointId, SpringDamper)> {
+    let of_joint = |id: JointId| Some((id, pose.mechanism().joint(id).spring()?));
+    pose.mechanism().joint_ids().filter_map(of_joint).filter(|(id, _)| !pose.is_locked(*id))
+}
+
 impl SheetElement<'_> {
     /// Ends at a pose, world axes, m.
     fn points(&self, pose: &Pose) -> [Vector3<f64>; 2] {
@@ -173,13 +180,20 @@ impl SheetTyre<'_> {
     }
 }
 
-/// Force of springs, dampers, tyres and the anti-roll bar of the sheet against the penetration, over penetration (m) and rate (m/s).
-pub(crate) type ForceBeside<'e> = Box<dyn Fn(f64, f64) -> f64 + 'e>;
+/// Forces of a model that act during a contact.
+pub(crate) struct ForcesBeside<'e> {
+    /// Names of springs, dampers, tyre and anti-roll bar of the sheet, and of joints with springs.
+    pub names: Vec<String>,
+    /// Tyres whose force at the touch is unknown, with the reason: they act, and `force` does not contain them.
+    pub unknown: Vec<String>,
+    /// Force against the penetration, over penetration (m) and rate (m/s).
+    pub force: Box<dyn Fn(f64, f64) -> f64 + 'e>,
+}
 
-/// Names of the springs, dampers, tyres and the anti-roll bar of the sheet that act during the contact, and their force. To first order they act
+/// Springs, dampers, tyres and the anti-roll bar of the sheet, and springs of joints that act during the contact. To first order they act
 /// on the contact as the change Σ k i² x of the spring forces since the touch, the damper forces Σ i F(i ẋ), and the same for a tyre until it
 /// leaves the road; i is the change of the length, the twist or the height of the wheel per penetration. `None`: none acts.
-pub(crate) fn force_beside<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<(Vec<&'e str>, ForceBeside<'e>)> {
+pub(crate) fn forces_beside<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<ForcesBeside<'e>> {
     let EvaluatedQuestion { prepared, result, .. } = evaluated;
     if result.response.contact.is_moment {
         return None;
@@ -190,21 +204,41 @@ pub(crate) fn force_beside<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<(Vec
         .filter_map(|element| Some((element.length_rate(evaluated)?, element)))
         .filter(|(ratio, _)| *ratio != 0.0)
         .collect();
-    let tyres: Vec<(f64, f64, SheetTyre<'e>)> = sheet_tyres(model)
-        .into_iter()
-        .filter_map(|tyre| Some((tyre.rise(evaluated)?.0, tyre.force_at_touch(evaluated).ok()?, tyre)))
-        .filter(|(rise, _, _)| *rise != 0.0)
-        .collect();
+    let mut tyres: Vec<(f64, f64, SheetTyre<'e>)> = Vec::new();
+    let mut unknown = Vec::new();
+    for tyre in sheet_tyres(model) {
+        // A tyre that the motion lowers does not act.
+        let Some((rise, _)) = tyre.rise(evaluated).filter(|rise| rise.0 != 0.0 && rise.1 >= 0.0) else {
+            continue;
+        };
+        match tyre.force_at_touch(evaluated) {
+            Ok(force) => tyres.push((rise, force, tyre)),
+            Err(why) => unknown.push(format!("tyre at {} ({why})", tyre.name)),
+        }
+    }
     let rates = &result.mechanism_response().joint_velocities;
+    let rate = |joint: JointId| rates.get(joint.index()).and_then(|rates| rates.first().copied());
     let bar = sheet_bars(model).and_then(|bar| {
-        let rate = |joint: JointId| rates.get(joint.index()).and_then(|rates| rates.first().copied());
         let twist = rate(bar.joint)? - bar.other.map_or(Some(0.0), rate)?;
         (twist != 0.0).then_some(bar.stiffness * twist * twist)
     });
-    let mut names: Vec<&str> = acting.iter().map(|(_, element)| element.name).collect();
-    names.extend(bar.map(|_| "anti-roll bar"));
-    names.extend(tyres.first().map(|_| "tyre"));
-    if names.is_empty() {
+    let mut names: Vec<String> = acting.iter().map(|(_, element)| element.name.to_owned()).collect();
+    names.extend(bar.map(|_| "anti-roll bar".to_owned()));
+    names.extend(tyres.first().map(|_| "tyre".to_owned()));
+    // Stiffness and damping of the springs of joints at the contact.
+    let (mut sprung, mut at_joints) = (Vec::new(), [0.0; 2]);
+    for (joint, spring) in joint_springs(&evaluated.pose) {
+        let squared = rate(joint).unwrap_or(0.0).powi(2);
+        if squared > 0.0 {
+            sprung.push(joint);
+            at_joints[0] += spring.stiffness * squared;
+            at_joints[1] += spring.damping * squared;
+        }
+    }
+    if !sprung.is_empty() {
+        names.push(format!("joints {}", joint_list(&model.mechanism, &sprung)));
+    }
+    if names.is_empty() && unknown.is_empty() {
         return None;
     }
     let beside = move |x: f64, v: f64| -> f64 {
@@ -218,9 +252,10 @@ pub(crate) fn force_beside<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<(Vec
         };
         acting.iter().map(force).sum::<f64>()
             + tyres.iter().map(of_tyre).sum::<f64>()
-            + bar.unwrap_or(0.0) * x
+            + (bar.unwrap_or(0.0) + at_joints[0]) * x
+            + at_joints[1] * v
     };
-    Some((names, Box::new(beside)))
+    Some(ForcesBeside { names, unknown, force: Box::new(beside) })
 }
 
 /// Warning about springs, dampers, tyres and the anti-roll bar of the sheet that act during the contact, with both restitutions. `duration` (s)
@@ -231,16 +266,24 @@ pub(crate) fn springs_finding(
     speed: f64,
     (duration, alone): (f64, f64),
 ) -> Result<Option<Finding>, StudyError> {
-    let Some((names, beside)) = force_beside(evaluated) else { return Ok(None) };
-    let beside = restitution_beside_forces(damper, compliant, speed, &beside)?;
+    let Some(ForcesBeside { names, unknown, force }) = forces_beside(evaluated) else { return Ok(None) };
+    let left_out = match unknown.is_empty() {
+        true => String::new(),
+        false => format!("; not estimated: {}", unknown.join(", ")),
+    };
+    let lasts = format!("the contact lasts {:.1} ms, in which", 1e3 * duration);
+    if names.is_empty() {
+        let message = format!("{lasts} other forces of the model act{left_out}; an impact in time includes them");
+        return Ok(Some(Finding::about_result(FindingKind::SpringsAct, message)));
+    }
+    let beside = restitution_beside_forces(damper, compliant, speed, &force)?;
     let message = match beside {
-        Some(e) if (e - alone).abs() <= SPRING_EFFECT => return Ok(None),
+        Some(e) if (e - alone).abs() <= SPRING_EFFECT && unknown.is_empty() => return Ok(None),
         Some(e) => format!("the restitution is about {e:.3} in place of {alone:.3}"),
         None => format!("the contact does not end; without them the restitution is {alone:.3}"),
     };
     let message = format!(
-        "the contact lasts {:.1} ms, in which springs and dampers of the sheet act ({}): {message}; an impact in time includes them",
-        1e3 * duration,
+        "{lasts} springs and dampers of the model act ({}): {message}{left_out}; an impact in time includes them",
         names.join(", "),
     );
     Ok(Some(Finding::about_result(FindingKind::SpringsAct, message)))

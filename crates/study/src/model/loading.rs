@@ -8,7 +8,7 @@ use percuss_formats::{
     DEFAULT_MAX_SIZE, FileKind, FileStore, FileSystem, LoadError, LoadOptions, Loaded, MeshFolders,
     NamedPose, OpenFile, Shape, SharedFiles, Source, load,
 };
-use percuss_mechanism::{ClosureDescription, Mechanism};
+use percuss_mechanism::{BushDescription, ClosureDescription, Mechanism};
 use percuss_suspension::{ImportOptions, Imported, LengthUnit, Understood, VehicleAxes};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -75,6 +75,8 @@ pub struct Origin {
     pub(crate) changes: Changes,
     /// Loops added by a study.
     pub(crate) closures: Vec<ClosureDescription>,
+    /// Bushes added to the model of the file.
+    pub(crate) bushes: Vec<BushDescription>,
     /// Store of the model file and of the files that it names.
     pub(crate) files: SharedFiles,
     /// Findings about parts of the file that are no part of a mechanism, in the order of the file.

@@ -67,6 +67,14 @@ impl SuspensionParts {
         ElasticSystem::new(pose, &contact, &elements, None).map_err(|error| error.to_string())
     }
 
+    /// Vertical forces on the wheels at a pose: see [`ElasticSystem::with_geometric_stiffness`].
+    ///
+    /// # Errors
+    /// The reason for their absence.
+    pub fn wheel_loads(&self, pose: &Pose) -> Result<Vec<Load>, String> {
+        self.resting_loads(&Linkage::new(pose).map_err(|error| error.to_string())?, pose)
+    }
+
     /// Vertical forces on the wheels that balance the springs and touched stops with a known force and the preloads of bushes, at the contact points,
     /// which roll.
     fn resting_loads(&self, linkage: &Linkage, pose: &Pose) -> Result<Vec<Load>, String> {

@@ -95,6 +95,7 @@ fn acting(found: &ImpactTimeRecord) -> Option<String> {
     parts.extend(found.dampers.iter().map(|damper| named("damper", &damper.name)));
     parts.extend(found.tyres.iter().map(tyre));
     parts.extend(found.anti_roll_bars.iter().map(bar));
+    parts.extend(joint_springs(found));
     parts.extend(
         found
             .drives
@@ -105,6 +106,17 @@ fn acting(found: &ImpactTimeRecord) -> Option<String> {
         parts.push(format!("left out: {}", found.springs_left_out.join(", ")));
     }
     (!parts.is_empty()).then(|| parts.join("; "))
+}
+
+/// Springs of joints, by name up to three; `None` without any.
+fn joint_springs(found: &ImpactTimeRecord) -> Option<String> {
+    let springs = &found.joint_springs;
+    let names: Vec<&str> = springs.iter().take(3).map(|spring| spring.joint.as_str()).collect();
+    let more = springs.len() - names.len();
+    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+    let is_full = springs.iter().any(|spring| spring.force_at_touch != 0.0);
+    let force = if is_full { "whole force" } else { "change of the force since the touch" };
+    (!springs.is_empty()).then(|| format!("springs and dampers of joints {}{more} ({force})", names.join(", ")))
 }
 
 /// Tyre with its forces.
@@ -140,6 +152,8 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
     parts.extend(found.drives.iter().map(|drive| format!("the drive of {}", drive.name)));
     if report.has_joint_springs {
         parts.push("the given joint springs".to_owned());
+    } else if !found.joint_springs.is_empty() {
+        parts.push("the springs and dampers of the joints".to_owned());
     }
     let left_out = match found.springs_left_out.is_empty() {
         true => String::new(),

@@ -69,7 +69,7 @@ pub fn document(report: &ResponseReport) -> Document<'_> {
     if left > 0 && !details_are_shown() {
         out.note(format!("{left} further modes: --details, or --format json"));
     }
-    out.note("participation: part of the mode in the inverse of the free mass; damping to first order; without geometric stiffness");
+    out.note("participation: part of the mode in the inverse of the free mass; damping to first order");
     let caption = "Apparent mass over frequency, with the rigid and the free mass; lines at the natural frequencies with a participation.";
     out.picture(|| figure(report).to_svg(), "Apparent mass over frequency", caption);
     out

@@ -18,7 +18,8 @@ pub struct LinearElement {
     pub stiffness: f64,
     /// Damping, N·s/m or N·m·s/rad.
     pub damping: f64,
-    /// Force at the pose along the motion, N or N·m: that of a compressed spring is positive. Only static displacements use it.
+    /// Force at the pose along the motion, N or N·m: that of a compressed spring is positive. Its geometric stiffness acts in static displacements
+    /// and after [`ElasticSystem::with_geometric_stiffness`](super::system::ElasticSystem::with_geometric_stiffness).
     pub force: f64,
 }
 
@@ -62,6 +63,8 @@ pub enum ElasticDirection {
     Element,
     /// Twist of a gear.
     Gear,
+    /// Motion in which forces at the pose act by their change of direction: see [`ElasticSystem::with_geometric_stiffness`](super::system::ElasticSystem::with_geometric_stiffness).
+    Geometric,
 }
 
 impl ElasticDirection {
@@ -80,6 +83,7 @@ impl ElasticDirection {
             Self::Axial => "axial",
             Self::Element => "motion",
             Self::Gear => "twist",
+            Self::Geometric => "change of direction",
         }
     }
 }
@@ -110,7 +114,17 @@ pub(crate) struct ElasticRow {
 impl ElasticRow {
     /// True if the row has a stiffness or a damping.
     pub fn acts(&self) -> bool {
-        self.stiffness > 0.0 || self.damping > 0.0
+        self.is_elastic() || self.damping > 0.0
+    }
+
+    /// True if the row has a stiffness of an element: the geometric stiffness of forces at the pose is none.
+    pub fn is_elastic(&self) -> bool {
+        self.stiffness > 0.0 && !self.is_geometric()
+    }
+
+    /// True for a row of the geometric stiffness.
+    pub fn is_geometric(&self) -> bool {
+        self.direction == ElasticDirection::Geometric
     }
 }
 

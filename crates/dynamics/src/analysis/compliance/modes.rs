@@ -30,7 +30,7 @@ impl ElasticSystem {
     /// ones keep their digits.
     ///
     /// # Errors
-    /// [`ComplianceError`]: a decomposition that does not converge.
+    /// [`ComplianceError`]: a decomposition that does not converge, an equilibrium that the forces at the pose make unstable.
     pub fn modes(&self) -> Result<Vec<Mode>, ComplianceError> {
         let stiffness = self.sum_of_rows(|row| row.stiffness);
         let (masses, vectors) = symmetric_eigen(&self.mass).ok_or(ComplianceError::Decomposition)?;
@@ -42,7 +42,7 @@ impl ElasticSystem {
             shapes.column_mut(c).scale_mut(1.0 / masses[i].sqrt());
         }
         // Motions without mass but with stiffness follow: their forces are in balance.
-        let elastic_rows = self.rows.iter().filter(|row| row.stiffness > 0.0).map(|row| &row.row);
+        let elastic_rows = self.rows.iter().filter(|row| row.is_elastic()).map(|row| &row.row);
         let elastic = self.acting_part(elastic_rows, &vectors.select_columns(&without))?.range;
         if elastic.ncols() > 0 {
             let own = elastic.tr_mul(&stiffness) * &elastic;
@@ -57,9 +57,13 @@ impl ElasticSystem {
         let reduced = shapes.tr_mul(&stiffness) * &shapes;
         let (_, combinations) = symmetric_eigen(&reduced).ok_or(ComplianceError::Decomposition)?;
         let motions = shapes * combinations;
-        let mut modes: Vec<Mode> =
+        let found: Vec<(f64, Mode)> =
             motions.column_iter().map(|motion| self.mode(motion.into_owned())).collect();
-        let highest = modes.iter().fold(0.0_f64, |most, mode| most.max(mode.angular_frequency));
+        let highest = found.iter().fold(0.0_f64, |most, (_, mode)| most.max(mode.angular_frequency));
+        if found.iter().any(|(square, _)| *square < -(RIGID_MODE * highest).powi(2)) {
+            return Err(ComplianceError::Unstable);
+        }
+        let mut modes: Vec<Mode> = found.into_iter().map(|(_, mode)| mode).collect();
         for mode in modes.iter_mut().filter(|mode| mode.angular_frequency <= RIGID_MODE * highest) {
             (mode.angular_frequency, mode.damping_ratio) = (0.0, 0.0);
             mode.rows.clear();
@@ -68,25 +72,27 @@ impl ElasticSystem {
         Ok(modes)
     }
 
-    /// Mode with the shape `motion`, of any size.
-    fn mode(&self, motion: DVector<f64>) -> Mode {
+    /// ω² and mode with the shape `motion`, of any size.
+    fn mode(&self, motion: DVector<f64>) -> (f64, Mode) {
         let mass = motion.dot(&(&self.mass * &motion));
         let motion = motion / mass.sqrt();
         let energy = |row: &ElasticRow| row.stiffness * row.row.dot(&motion).powi(2);
         let elastic: f64 = self.rows.iter().map(energy).sum();
         let lossy: f64 = self.rows.iter().map(|row| row.loss_factor * energy(row)).sum();
         let damped: f64 = self.rows.iter().map(|row| row.damping * row.row.dot(&motion).powi(2)).sum();
-        let omega = elastic.sqrt();
+        let omega = elastic.max(0.0).sqrt();
         let share = |row: &ElasticRow| (row.element.clone(), row.direction, energy(row) / elastic);
-        let mut rows: Vec<_> = self.rows.iter().filter(|row| energy(row) > 0.0).map(share).collect();
+        let mut rows: Vec<_> =
+            self.rows.iter().filter(|row| row.is_elastic() && energy(row) > 0.0).map(share).collect();
         rows.sort_by(|a, b| b.2.total_cmp(&a.2));
-        Mode {
+        let mode = Mode {
             angular_frequency: omega,
             participation: self.contact.dot(&motion),
             damping_ratio: damped / (2.0 * omega) + lossy / (2.0 * elastic),
             links: self.link_energies(&motion),
             rows,
-        }
+        };
+        (elastic, mode)
     }
 
     /// Shares of the links in the kinetic energy of a motion, the largest first.

@@ -1,11 +1,12 @@
 //! Free and rigid mass of a contact, and the residual compliance of the bushes.
 
-use super::elements::ElasticDirection;
-use super::subspace::split;
+use super::elements::{ElasticDirection, ElasticRow};
+use super::response::symmetric_eigen;
+use super::subspace::{Subspaces, split};
 use super::system::{ComplianceError, ElasticSystem};
 use crate::dense::matrices::{MatrixResponse, MatrixView, effective_mass};
 use crate::kinematics::outcome::EffectiveMass;
-use crate::tolerances::{CLEAR_OF_RIGID_MOTION, IMMOVABLE, REDUCED_ACCURACY};
+use crate::tolerances::{CLEAR_OF_RIGID_MOTION, IMMOVABLE, NO_INERTIA, REDUCED_ACCURACY};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 /// Residual compliance of the bushes at a contact.
@@ -45,10 +46,13 @@ impl ElasticSystem {
     /// ```
     ///
     /// K contains the rows that the rigid mechanism holds, v* is the velocity of the rigid mechanism at unit closing speed. One solution of
-    /// a linear system in the complement of the rigid motions, which is found from the directions of the rows, not from their stiffness.
+    /// a linear system in the complement of the rigid motions, which is found from the directions of the rows, not from their stiffness. A geometric
+    /// stiffness G of forces at the pose adds QᵀGQ on the motions Q whose momentum is normal to the rigid motions: c_res is then the static part of
+    /// the elastic modes.
     ///
     /// # Errors
-    /// [`ComplianceError`]: masses that are not positive semi-definite, a decomposition that does not converge.
+    /// [`ComplianceError`]: masses that are not positive semi-definite, a decomposition that does not converge, an equilibrium that the forces at the
+    /// pose make unstable.
     pub fn residual(&self) -> Result<ResidualCompliance, ComplianceError> {
         let m = self.contact.len();
         let rows = self.rows_where(|row| row.is_rigid && row.acts());
@@ -77,14 +81,23 @@ impl ElasticSystem {
             }
         };
         let stiffness = self.sum_of_rows(|row| if row.is_rigid { row.stiffness } else { 0.0 });
-        let stiffness = held.range.tr_mul(&stiffness) * &held.range;
-        let Some(deflection) = solve_positive(&stiffness, &held.range.tr_mul(&force)) else {
-            return Ok(result);
+        let mut stiffness = held.range.tr_mul(&stiffness) * &held.range;
+        let is_loaded = self.rows.iter().any(ElasticRow::is_geometric);
+        if is_loaded {
+            let geometric = self.sum_of_rows(|row| if row.is_geometric() { row.stiffness } else { 0.0 });
+            let elastic = self.without_rigid_momentum(&held)?;
+            stiffness += elastic.tr_mul(&geometric) * elastic;
+        }
+        let applied = held.range.tr_mul(&force);
+        let Some(deflection) = solve_positive(&stiffness, &applied) else {
+            return if is_loaded { Err(ComplianceError::Unstable) } else { Ok(result) };
         };
+        let work = deflection.dot(&applied);
         let deflection = &held.range * deflection;
         let energy_of = |stiffness: f64, row: &DVector<f64>| stiffness * row.dot(&deflection).powi(2);
         let rigid_rows = || self.rows.iter().filter(|row| row.is_rigid);
-        let compliance: f64 = rigid_rows().map(|row| energy_of(row.stiffness, &row.row)).sum();
+        let of_rows: f64 = rigid_rows().map(|row| energy_of(row.stiffness, &row.row)).sum();
+        let compliance = if is_loaded { work } else { of_rows };
         result.compliance = Some(compliance);
         if compliance > 0.0 {
             result.shares = rigid_rows()
@@ -104,7 +117,7 @@ impl ElasticSystem {
     /// # Errors
     /// [`ComplianceError`]: a decomposition that does not converge.
     pub fn static_compliance(&self) -> Result<Option<f64>, ComplianceError> {
-        let rows = self.rows_where(|row| row.stiffness > 0.0);
+        let rows = self.rows_where(ElasticRow::is_elastic);
         let spaces = split(&rows, self.contact.len(), self.floor).ok_or(ComplianceError::Decomposition)?;
         if spaces.null.tr_mul(&self.contact).norm() > IMMOVABLE * self.contact.norm() {
             return Ok(None);
@@ -118,7 +131,33 @@ impl ElasticSystem {
     fn is_free_along(&self, motion: &DVector<f64>) -> bool {
         let resists =
             |row: &DVector<f64>| row.dot(motion).abs() > CLEAR_OF_RIGID_MOTION * row.norm() * motion.norm();
-        !self.rows.iter().any(|row| row.acts() && resists(&row.row))
+        // The geometric stiffness on the motion, compared with the stiffness of the bushes.
+        let bushes = self.sum_of_rows(|row| if row.is_rigid { row.stiffness } else { 0.0 });
+        let geometric = self.sum_of_rows(|row| if row.is_geometric() { row.stiffness } else { 0.0 });
+        let is_loaded =
+            (geometric * motion).norm() > CLEAR_OF_RIGID_MOTION * bushes.norm() * motion.norm();
+        !is_loaded && !self.rows.iter().any(|row| row.acts() && resists(&row.row))
+    }
+
+    /// Motions of the rigid rows, each with the rigid motion that makes its momentum normal to the rigid motions, and with the massless rigid motions that
+    /// are in balance with all stiffness.
+    fn without_rigid_momentum(&self, held: &Subspaces) -> Result<DMatrix<f64>, ComplianceError> {
+        let of_rigid = held.null.tr_mul(&self.mass) * &held.null;
+        let (masses, vectors) = symmetric_eigen(&of_rigid).ok_or(ComplianceError::Decomposition)?;
+        let largest = masses.iter().fold(0.0_f64, |most, x| most.max(x.abs()));
+        let with_mass: Vec<usize> = (0..masses.len()).filter(|&i| masses[i] > NO_INERTIA * largest).collect();
+        let rigid = &held.null * vectors.select_columns(&with_mass);
+        let mut momentum = rigid.tr_mul(&self.mass) * &held.range;
+        for (r, &i) in with_mass.iter().enumerate() {
+            momentum.row_mut(r).scale_mut(1.0 / masses[i]);
+        }
+        let elastic = &held.range - rigid * momentum;
+        let without: Vec<usize> = (0..masses.len()).filter(|i| !with_mass.contains(i)).collect();
+        let massless = &held.null * vectors.select_columns(&without);
+        let stiffness = self.sum_of_rows(|row| row.stiffness);
+        let own = massless.tr_mul(&stiffness) * &massless;
+        let follows = solve_positive_columns(&own, massless.tr_mul(&stiffness) * &elastic);
+        Ok(follows.map_or_else(|| elastic.clone(), |follows| &elastic - massless * follows))
     }
 }
 

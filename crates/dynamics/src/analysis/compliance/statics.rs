@@ -1,13 +1,14 @@
 //! Static displacements of a mechanism with bushes under loads.
 
-use super::elements::ElasticRow;
+use super::elements::{ElasticDirection, ElasticRow, ElementMotion, LinearElement};
 use super::residual::{solve_positive, stiffness_factor};
+use super::response::symmetric_eigen;
 use super::subspace::{Subspaces, split};
 use super::system::{ComplianceError, ElasticSystem, elastic_rows, stacked};
 use crate::kinematics::frames::Kinematics;
 use crate::tolerances::{DIFFERENCE_OF_FORCES, IMMOVABLE, IN_BALANCE};
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn, Vector3};
-use percuss_mechanism::LinkId;
+use percuss_mechanism::{JointId, LinkId};
 
 /// Force and moment on a link, in axes of the root link.
 #[derive(Clone, Debug, PartialEq)]
@@ -71,7 +72,7 @@ impl ElasticSystem {
         let spaces = spaces.ok_or(ComplianceError::Decomposition)?;
         let mut stiffness = self.sum_of_rows(|row| row.static_stiffness);
         if !resting.is_empty() || self.rows.iter().any(|row| row.force != 0.0) {
-            stiffness += self.geometric_stiffness(resting)?;
+            stiffness += self.geometric_stiffness(resting, &[])?;
         }
         let stiffness = spaces.range.tr_mul(&stiffness) * &spaces.range;
         let factor = stiffness_factor(&stiffness);
@@ -81,8 +82,41 @@ impl ElasticSystem {
         Ok(StaticSystem { system: self, spaces, factor })
     }
 
+    /// The system with the geometric stiffness G of the forces at the pose, as in [`statics`](Self::statics): in residual compliance, receptance, static
+    /// compliance and modes. `held`: joints with one velocity whose drives carry what is left over, such as a steering rack.
+    ///
+    /// # Errors
+    /// [`ComplianceError`]: a decomposition that does not converge, forces that are not in balance.
+    pub fn with_geometric_stiffness(
+        mut self,
+        resting: &[Load],
+        held: &[JointId],
+    ) -> Result<Self, ComplianceError> {
+        if resting.is_empty() && self.rows.iter().all(|row| row.force == 0.0) {
+            return Ok(self);
+        }
+        let geometric = self.geometric_stiffness(resting, held)?;
+        let (values, vectors) = symmetric_eigen(&geometric).ok_or(ComplianceError::Decomposition)?;
+        let row = |(stiffness, vector): (f64, DVector<f64>)| ElasticRow {
+            element: "forces at the pose".to_owned(),
+            direction: ElasticDirection::Geometric,
+            number: None,
+            stiffness,
+            static_stiffness: 0.0,
+            damping: 0.0,
+            loss_factor: 0.0,
+            is_moment: false,
+            is_rigid: false,
+            force: 0.0,
+            row: vector,
+        };
+        let vectors = vectors.column_iter().map(|column| column.into_owned());
+        self.rows.extend(values.into_iter().zip(vectors).filter(|(value, _)| *value != 0.0).map(row));
+        Ok(self)
+    }
+
     /// Geometric stiffness G over z of the forces at the pose.
-    fn geometric_stiffness(&self, resting: &[Load]) -> Result<DMatrix<f64>, ComplianceError> {
+    fn geometric_stiffness(&self, resting: &[Load], held: &[JointId]) -> Result<DMatrix<f64>, ComplianceError> {
         let is_bush = |row: &ElasticRow| row.number.is_none();
         let applied = |kinematics: &Kinematics, rows: &[ElasticRow]| {
             let mut force = DVector::zeros(self.basis.nrows());
@@ -99,10 +133,26 @@ impl ElasticSystem {
         // Forces of the bushes in balance with the others.
         let rows = all_rows(&self.kinematics);
         let mut rest = applied(&self.kinematics, &rows);
-        let reduced = self.basis.tr_mul(&rest);
+        let mut reduced = self.basis.tr_mul(&rest);
         let bushes = self.rows_where(|row| is_bush(row) && row.static_stiffness > 0.0);
         let carried = split(&bushes, self.contact.len(), self.floor).ok_or(ComplianceError::Decomposition)?;
-        if carried.null.tr_mul(&reduced).norm() > IN_BALANCE * reduced.norm() {
+        // Forces of the drives of held joints.
+        let drive_rows = |kinematics: &Kinematics| -> Vec<DVector<f64>> {
+            let element = |joint: &JointId| LinearElement::spring("", ElementMotion::Twist(*joint, None), 0.0);
+            let row = |joint: &JointId| Some(self.model.element_row(kinematics, (0, &element(joint)))?.row);
+            held.iter().filter_map(row).collect()
+        };
+        let at_pose = drive_rows(&self.kinematics);
+        let open = carried.null.transpose() * self.basis.transpose();
+        let reach = &open * stacked(&at_pose, self.basis.nrows()).transpose();
+        let drives = solve_positive(&reach.tr_mul(&reach), &-reach.tr_mul(&carried.null.tr_mul(&reduced)));
+        let drives = drives.unwrap_or_else(|| DVector::zeros(at_pose.len()));
+        for (row, force) in at_pose.iter().zip(drives.iter()) {
+            rest.axpy(*force, row, 1.0);
+        }
+        let size = reduced.norm();
+        reduced = self.basis.tr_mul(&rest);
+        if carried.null.tr_mul(&reduced).norm() > IN_BALANCE * size {
             return Err(ComplianceError::Unbalanced);
         }
         let of_bushes = self.sum_of_rows(|row| if is_bush(row) { row.static_stiffness } else { 0.0 });
@@ -141,6 +191,7 @@ impl ElasticSystem {
             let rows = all_rows(&kinematics);
             let mut force = applied(&kinematics, &rows);
             rows.iter().zip(&forces).for_each(|(row, f)| force.axpy(-f, &row.row, 1.0));
+            drive_rows(&kinematics).iter().zip(drives.iter()).for_each(|(row, f)| force.axpy(*f, row, 1.0));
             force - ideal_rows(&kinematics, &rows).tr_mul(&reactions)
         };
         let step = DIFFERENCE_OF_FORCES * self.model.mechanism.characteristic_length();

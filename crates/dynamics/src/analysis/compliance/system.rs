@@ -22,7 +22,8 @@ use std::sync::Arc;
 /// | K, C   | Σ kᵢ bᵢᵀbᵢ and Σ cᵢ bᵢᵀbᵢ over the rows of the elements | m×m   | N/m, N·s/m           |
 /// | j      | closing speed of the contact                        | 1×m   | 1                    |
 ///
-/// The positions of the rigid mechanism are those of the pose: forces of springs at rest and their geometric stiffness are left out.
+/// The positions of the rigid mechanism are those of the pose. Forces of springs and preloads at the pose act by their geometric stiffness in static
+/// displacements, and after [`with_geometric_stiffness`](Self::with_geometric_stiffness).
 #[derive(Clone, Debug)]
 pub struct ElasticSystem {
     pub(super) model: Model,

@@ -2,7 +2,7 @@
 
 use crate::mjcf::bodies::geom::Geom;
 use crate::reading::document::element_tree::ElementId;
-use percuss_mechanism::Inertial;
+use percuss_mechanism::{Inertial, SpringDamper};
 use percuss_spatial::{Transform, Vector3};
 use std::collections::HashMap;
 
@@ -31,6 +31,8 @@ pub(crate) struct BodyJoint {
     pub reference: f64,
     /// Armature of the joint and of its actuators, kg·m² or kg.
     pub armature: f64,
+    /// Spring and damper parallel to the motion, with its position relative to the drawing.
+    pub spring: Option<SpringDamper>,
 }
 
 /// Body of a model.

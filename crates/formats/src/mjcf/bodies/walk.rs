@@ -7,11 +7,12 @@ use crate::mjcf::values::attributes::Attributes;
 use crate::mjcf::values::classes::{ClassId, DefaultKind};
 use crate::mjcf::values::models::Models;
 use crate::mjcf::values::orientation::{read_orientation, read_pose, rotation_from_euler, unit};
+use crate::parts::{SPRING_LEFT_OUT, joint_spring};
 use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{LONGEST_NAME, MAX_ELEMENTS_PER_KIND, MAX_TREE_VISITS};
 use crate::reading::report::quoted;
-use percuss_mechanism::Severity;
+use percuss_mechanism::{Severity, SpringDamper};
 use percuss_spatial::{Matrix3, Transform, Vector3};
 
 /// Keywords of `type` of a joint.
@@ -269,6 +270,7 @@ impl<'t> Walker<'_, 't, '_> {
             limits: None,
             reference: 0.0,
             armature: 0.0,
+            spring: None,
         };
         // A free joint by its own element takes no defaults.
         if self.tree.tag(element) == "freejoint" {
@@ -277,10 +279,16 @@ impl<'t> Walker<'_, 't, '_> {
         let attributes = self.attributes(element, DefaultKind::Joint, parent);
         let kind = attributes.word("type", &JOINT_TYPES, self.findings).unwrap_or(JointType::Hinge);
         let armature = attributes.number("armature", self.findings).unwrap_or(0.0);
+        let given = attributes.number("ref", self.findings).unwrap_or(0.0);
+        let reference = match kind {
+            JointType::Hinge => given * self.models.settings(element).angle_unit,
+            JointType::Slide => given,
+            JointType::Ball | JointType::Free => 0.0,
+        };
+        let spring = self.read_spring(attributes, kind, reference);
         if kind == JointType::Free {
             return BodyJoint { armature, ..free };
         }
-        let reference = attributes.number("ref", self.findings).unwrap_or(0.0);
         let anchor = attributes.numbers::<3>("pos", self.findings).unwrap_or_default();
         let axis = attributes.numbers::<3>("axis", self.findings).unwrap_or([0.0, 0.0, 1.0]);
         let axis = unit(axis.into());
@@ -294,14 +302,50 @@ impl<'t> Walker<'_, 't, '_> {
             anchor: parent.frame.point(&anchor.into()),
             axis: parent.frame.vector(&axis.unwrap_or_else(Vector3::z)),
             limits: self.read_limits(attributes, kind),
-            reference: match kind {
-                JointType::Hinge => reference * self.models.settings(element).angle_unit,
-                JointType::Slide => reference,
-                JointType::Ball | JointType::Free => 0.0,
-            },
+            reference,
             armature,
+            spring,
             ..free
         }
+    }
+
+    /// Spring and damper of a joint. `reference`: position as drawn.
+    fn read_spring(
+        &mut self,
+        attributes: Attributes<'_>,
+        kind: JointType,
+        reference: f64,
+    ) -> Option<SpringDamper> {
+        let element = attributes.element;
+        let unit = if kind == JointType::Hinge { self.models.settings(element).angle_unit } else { 1.0 };
+        let findings = &mut *self.findings;
+        let free = unit * attributes.number("springref", findings).unwrap_or(0.0) - reference;
+        let [stiffness, damping] = ["stiffness", "damping"].map(|name| {
+            let given = attributes.list(name, 3, findings).unwrap_or_default();
+            if given.iter().skip(1).any(|factor| *factor != 0.0) {
+                findings.warning(SPRING_LEFT_OUT, element, || {
+                    format!("{name}: the linear term alone is read; the joint is not linear in MuJoCo")
+                });
+            }
+            given.first().copied().unwrap_or(0.0)
+        });
+        if attributes.numbers::<2>("springdamper", findings).is_some_and(|given| given.iter().all(|x| *x > 0.0)) {
+            findings.warning(SPRING_LEFT_OUT, element, || {
+                "springdamper: MuJoCo computes stiffness and damping from the masses as drawn, and they are left out; give stiffness and \
+                 damping, which mujoco.mj_saveLastXML writes"
+                    .to_owned()
+            });
+            return None;
+        }
+        let dofs = match kind {
+            JointType::Hinge | JointType::Slide => 1,
+            JointType::Ball => 3,
+            JointType::Free => 6,
+        };
+        joint_spring(dofs, [stiffness, damping, free]).unwrap_or_else(|why| {
+            findings.note(SPRING_LEFT_OUT, element, || why.to_owned());
+            None
+        })
     }
 
     /// Limits of a hinge or slide relative to its reference position.

@@ -109,11 +109,11 @@ pub(crate) static IN_BODY: [ElementRule; 13] = [
 ];
 
 const JOINT: Attributes = &[
-    ("name class type pos axis limited range ref armature", Read),
-    // Springs, dampers, friction, limits of forces and parameters of the solver: finite forces, or settings of the simulation.
+    ("name class type pos axis limited range ref armature stiffness springref damping springdamper", Read),
+    // Friction, limits of forces and parameters of the solver: finite forces, or settings of the simulation.
     (
-        "group springdamper actuatorfrclimited actuatorfrcrange actuatorgravcomp solreflimit solimplimit \
-         solreffriction solimpfriction stiffness margin springref springyield damping frictionloss user",
+        "group actuatorfrclimited actuatorfrcrange actuatorgravcomp solreflimit solimplimit \
+         solreffriction solimpfriction margin springyield frictionloss user",
         Silent,
     ),
 ];

@@ -46,6 +46,8 @@ pub(super) struct BodyTree<'m> {
     pub root_is_world: bool,
     /// The only joint whose limits are written, with their attributes; `None` for the limits of all joints.
     only_limit: Option<(JointId, String)>,
+    /// True if the springs and dampers of the joints are written.
+    pub has_springs: bool,
 }
 
 /// Joints of MuJoCo that belong together.
@@ -116,6 +118,7 @@ impl<'m> BodyTree<'m> {
             halves: Vec::new(),
             root_is_world: mechanism.link(root).name() == "world",
             only_limit: None,
+            has_springs: true,
         };
         let at_rest = immovable_links(mechanism);
         let mut errors = Vec::new();
@@ -198,6 +201,19 @@ impl<'m> BodyTree<'m> {
                 format!(" range=\"{} {}\"", format_number(limits.lower), format_number(limits.upper))
             }),
         }
+    }
+
+    /// Attributes of the limits and of the spring of a joint.
+    fn further_attributes(&self, joint: JointId) -> String {
+        let mut attributes = self.limit_attributes(joint);
+        if let Some(spring) = self.mechanism.joint(joint).spring().filter(|_| self.has_springs) {
+            let names = ["stiffness", "damping", "springref"];
+            let values = [spring.stiffness, spring.damping, spring.reference];
+            for (name, value) in names.into_iter().zip(values).filter(|(_, value)| *value != 0.0) {
+                append!(attributes, " {name}=\"{}\"", format_number(value));
+            }
+        }
+        attributes
     }
 
     /// Appends a line within the body of a link; within the world for `None`.
@@ -347,7 +363,7 @@ impl<'m> BodyTree<'m> {
             let lines = if self.is_free(link) {
                 free_joint(joint)
             } else {
-                joint_lines(joint, &frame, !is_rotor, &self.limit_attributes(id))
+                joint_lines(joint, &frame, !is_rotor, &self.further_attributes(id))
             };
             for line in lines? {
                 append!(out, "{lead}  {line}\n");
@@ -467,12 +483,12 @@ fn free_joint(joint: &Joint) -> Result<Vec<String>, MjcfError> {
 }
 
 /// Joints of MuJoCo for a joint whose frame in the body is given; without the armature of a rotor that is a body.
-/// `limits`: attributes of its limits.
+/// `further`: attributes of its limits and of its spring.
 fn joint_lines(
     joint: &Joint,
     frame: &Transform<f64>,
     has_armature: bool,
-    limits: &str,
+    further: &str,
 ) -> Result<Vec<String>, MjcfError> {
     let name = escape_attribute(joint.name());
     let anchor = match frame.translation {
@@ -490,9 +506,9 @@ fn joint_lines(
     Ok(match joint.kind() {
         JointKind::Fixed => Vec::new(),
         JointKind::Revolute | JointKind::Continuous => {
-            vec![line(&name, "hinge", joint.axis(), &format!("{}{limits}", single(0)?))]
+            vec![line(&name, "hinge", joint.axis(), &format!("{}{further}", single(0)?))]
         }
-        JointKind::Prismatic => vec![line(&name, "slide", joint.axis(), &format!("{}{limits}", single(0)?))],
+        JointKind::Prismatic => vec![line(&name, "slide", joint.axis(), &format!("{}{further}", single(0)?))],
         JointKind::Planar => {
             let (e1, e2) = plane_basis(joint.axis());
             vec![

@@ -50,7 +50,7 @@ pub fn write_mjcf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result
 }
 
 /// Writes MJCF of a mechanism and of an impact at one contact: the file of [`write_mjcf`], two geoms with a contact pair, and the
-/// keyframe `impact` with the pose and the velocity at the touch. As the effective mass assumes, gravity is 0, and joint limits and all other
+/// keyframe `impact` with the pose and the velocity at the touch. As the effective mass assumes, gravity is 0, joints have no springs, and joint limits and all other
 /// contacts are disabled. The `<numeric>` `restitution` contains the expected restitution.
 ///
 /// # Errors
@@ -78,6 +78,7 @@ fn write_file(
     contacts::add_contacts(&mut tree);
     let shapes = shapes::add_shapes(parts, &mut tree, impact.is_none());
     impact.map_or(Ok(()), |impact| impact.add_contact(&mut tree))?;
+    tree.has_springs = impact.is_none();
     let mut out = xml_head(heading);
     append!(out, "<mujoco model=\"{}\">\n", escape_attribute(mechanism.name()));
     out.push_str(
@@ -105,7 +106,7 @@ fn write_file(
     out.push_str("</mujoco>\n");
     let mut changes = tree.changes;
     changes.extend(lost_roles(mechanism, "MJCF"));
-    changes.extend(common_changes(mechanism, |_| false));
+    changes.extend(common_changes(mechanism, |_| false, false));
     Ok(ModelText { text: out, changes })
 }
 

@@ -125,5 +125,6 @@ const IN_AXIS: &[ElementRule] = &[
     )
     .single(),
     element("mimic", &[("joint axis", Read)], &[value("multiplier offset reference")]).single(),
-    unread("dynamics initial_position", Silent),
+    element("dynamics", &[], &[value("damping spring_stiffness spring_reference"), unread("friction", Silent)]).single(),
+    unread("initial_position", Silent),
 ];

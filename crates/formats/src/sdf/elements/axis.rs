@@ -1,5 +1,6 @@
 //! Axes of joints: direction, limits, and the joint that an axis follows.
 
+use crate::parts::{SPRING_LEFT_OUT, joint_spring};
 use crate::reading::document::element_tree::{ElementId, ElementTree};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{MIN_AXIS_COMPONENT, UNLIMITED};
@@ -9,7 +10,7 @@ use crate::sdf::frames::poses::report_unknown_frame;
 use crate::sdf::frames::scopes::{FrameId, FrameKind, Scopes};
 use crate::sdf::values::{read_boolean_in, read_limit_in, read_number_in, read_numbers};
 use crate::urdf::elements::numbers::parse_numbers;
-use percuss_mechanism::Limits;
+use percuss_mechanism::{Limits, SpringDamper};
 use percuss_spatial::Vector3;
 
 /// Relation q = multiplier · q_leader + offset.
@@ -30,6 +31,8 @@ pub(crate) struct JointAxis {
     pub direction: Vector3<f64>,
     pub limits: Option<Limits>,
     pub mimic: Option<SdfMimic>,
+    /// Spring and damper parallel to the motion.
+    pub spring: Option<SpringDamper>,
 }
 
 /// Reads `<axis>` or `<axis2>` of a joint; the z-axis without limits if absent.
@@ -41,12 +44,13 @@ pub(crate) fn read_axis(
 ) -> JointAxis {
     let own = scopes.frame(joint);
     let Some(axis) = findings.tree.child(own.element, tag) else {
-        return JointAxis { direction: Vector3::z(), limits: None, mimic: None };
+        return JointAxis { direction: Vector3::z(), limits: None, mimic: None, spring: None };
     };
     JointAxis {
         direction: read_direction(scopes, joint, axis, findings),
         limits: findings.tree.child(axis, "limit").and_then(|limit| read_limits(limit, findings)),
         mimic: read_mimic(scopes, joint, axis, findings),
+        spring: read_spring(axis, findings),
     }
 }
 
@@ -106,6 +110,17 @@ fn is_in_outer_model(tree: &ElementTree, joint: ElementId) -> bool {
     let model = tree.element(joint).parent;
     let holder = model.and_then(|model| tree.element(model).parent);
     holder.is_some_and(|holder| matches!(tree.tag(holder), "sdf" | "world"))
+}
+
+/// Spring and damper of an axis, of the element `<dynamics>`.
+fn read_spring(axis: ElementId, findings: &mut Findings<'_>) -> Option<SpringDamper> {
+    let dynamics = findings.tree.child(axis, "dynamics")?;
+    let numbers = ["spring_stiffness", "damping", "spring_reference"]
+        .map(|tag| read_number_in(dynamics, tag, findings).unwrap_or(0.0));
+    joint_spring(1, numbers).unwrap_or_else(|why| {
+        findings.note(SPRING_LEFT_OUT, dynamics, || why.to_owned());
+        None
+    })
 }
 
 /// Position limits, m or rad; `None` if both are missing or infinite.

@@ -180,7 +180,7 @@ impl ChainBuilder<'_> {
             })
         });
         let armature = if joint.armature == 0.0 || index > 0 { Vec::new() } else { vec![joint.armature] };
-        JointDescription { limits: axis.limits, mimic, armature, ..described }
+        JointDescription { limits: axis.limits, mimic, armature, spring: axis.spring, ..described }
     }
 }
 

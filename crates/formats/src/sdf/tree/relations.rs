@@ -1,6 +1,6 @@
 //! Joints that close loops, and gearboxes.
 
-use crate::parts::Parts;
+use crate::parts::{Parts, SPRING_LEFT_OUT};
 use crate::reading::findings::Findings;
 use crate::reading::limits::OBLIQUE_PINS;
 use crate::reading::report::quoted;
@@ -57,6 +57,11 @@ pub(crate) fn add_closure(
         findings.add_once(Severity::Note, "unused-element", "limit", joint.element, || {
             "the joint closes a loop, and its limits are not checked; give limits to a joint of the tree"
                 .to_owned()
+        });
+    }
+    if joint.axes.iter().any(|axis| axis.spring.is_some()) {
+        findings.add_once(Severity::Note, SPRING_LEFT_OUT, "spring", joint.element, || {
+            "the joint closes a loop, and its spring and damper are left out; give them to a joint of the tree".to_owned()
         });
     }
     let child = Attached::Link(joint.child);

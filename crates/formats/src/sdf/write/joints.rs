@@ -212,6 +212,15 @@ impl Axes {
             let [lower, upper] = [limits.lower, limits.upper].map(format_number);
             append!(out, "        <limit><lower>{lower}</lower><upper>{upper}</upper></limit>\n");
         }
+        if let Some(spring) = joint.spring() {
+            let [stiffness, damping, reference] =
+                [spring.stiffness, spring.damping, spring.reference].map(format_number);
+            append!(
+                out,
+                "        <dynamics><damping>{damping}</damping><friction>0</friction><spring_reference>{reference}</spring_reference>\
+                 <spring_stiffness>{stiffness}</spring_stiffness></dynamics>\n"
+            );
+        }
         if let Some(Follower { leader, multiplier, offset }) = self.followers.get(&id)
             && let Some((name, axis)) = self.names.get(leader)
         {

@@ -75,6 +75,6 @@ pub fn write_sdf<'a>(model: impl Into<ModelParts<'a>>, heading: &str) -> Result<
     }));
     changes.extend(lost_roles(mechanism, "SDFormat"));
     changes.extend(lost_poses(&parts, "SDFormat"));
-    changes.extend(common_changes(mechanism, |_| false));
+    changes.extend(common_changes(mechanism, |_| false, false));
     Ok(ModelText { text: out, changes })
 }

@@ -48,10 +48,7 @@ const IN_ROBOT: &[ElementRule] = &[
     element("relation", &[("name", Read)], IN_RELATION),
     element("contact", &[("name type", Read)], IN_CONTACT),
     element("bushing", &[("name parent child", Read)], IN_BUSHING),
-    warned(
-        "elastic",
-        "the stiffness of a gear is a condition of a question; the gear is rigid here: give --gear-stiffness JOINT=K,D (gear_stiffness in a study)",
-    ),
+    element("elastic", &[("joint stiffness damping", Read)], &[]),
     unread("constraint", write_instead!("a <loop> or a <coupling>")),
     refused(
         "drake:joint",
@@ -158,15 +155,12 @@ const IN_JOINT: &[ElementRule] = &[
             ),
         ],
     ),
-    // Friction, damping and springs are finite forces: no work in an instantaneous impact.
+    // Friction is a finite force: no work in an instantaneous impact.
     leaf(
         "dynamics",
         &[
-            ("armature", Read),
-            (
-                "damping friction stiffness spring_stiffness spring_reference mu_coulomb mu_viscous K D",
-                Silent,
-            ),
+            ("armature damping spring_stiffness spring_reference", Read),
+            ("friction stiffness mu_coulomb mu_viscous K D", Silent),
         ],
     ),
     leaf("mimic", &[("joint multiplier offset", Read)]),

@@ -18,6 +18,7 @@ pub(crate) struct Nodes<'a> {
     pub relations: Vec<Node<'a>>,
     pub contacts: Vec<Node<'a>>,
     pub bushes: Vec<Node<'a>>,
+    pub gears: Vec<Node<'a>>,
 }
 
 impl<'a> Nodes<'a> {
@@ -61,6 +62,7 @@ impl<'a> Nodes<'a> {
                 .collect(),
             contacts: children(robot, "contact").collect(),
             bushes: children(robot, "bushing").collect(),
+            gears: children(robot, "elastic").collect(),
         }
     }
 
@@ -74,6 +76,7 @@ impl<'a> Nodes<'a> {
             ("relations", self.relations.len()),
             ("contacts", self.contacts.len()),
             ("bushings", self.bushes.len()),
+            ("elastic gears", self.gears.len()),
         ];
         let excess = counts.into_iter().find(|(_, count)| *count > MAX_ELEMENTS_PER_KIND);
         if let Some((kind, count)) = excess {

@@ -8,10 +8,10 @@ use percuss_dynamics::{ElasticDirection, ElasticMotion, JointForce};
 /// Levels of halving between the samples near a peak, twice: the parabola through three of them then has ten digits.
 const FINER: usize = 4;
 const REFINEMENTS: usize = 2;
-/// Part of the largest estimate from which another maximum is refined too.
-const NEAR_LARGEST: f64 = 0.99;
+/// Part of the largest estimate from which another maximum is refined too: the estimates have four digits.
+const NEAR_LARGEST: f64 = 0.999;
 /// Largest number of refined maxima of one force.
-const MOST_REFINED: usize = 4;
+const MOST_REFINED: usize = 16;
 
 /// States of a motion over time.
 #[derive(Default)]
@@ -75,7 +75,7 @@ impl Quantity {
         };
         let acts = |row: &usize| {
             let force = force(*row);
-            force.stiffness > 0.0 || force.damping > 0.0 || force.input.is_some()
+            motion.rows[*row].direction != ElasticDirection::Geometric && force.stiffness > 0.0 || force.damping > 0.0 || force.input.is_some()
         };
         let mut all: Vec<Self> = Vec::new();
         for row in (0..motion.rows.len()).filter(acts) {

@@ -300,10 +300,10 @@ pub struct ImpactQuestion {
     #[serde(deserialize_with = "drives::by_joint")]
     #[schemars(with = "BTreeMap<String, value::OneOrMany<NumberOrText>>")]
     pub joint_spring: Vec<(String, GivenSpring)>,
-    /// Springs and dampers of the suspension sheet during the impact in time: change, full, none.
+    /// Springs and dampers of the suspension sheet and of the joints of a model during the impact in time: change, full, none.
     ///
     /// change (the default): the change of the spring forces since the touch; the forces at the touch are in balance with weight, tyre and
-    /// other loads. full: the whole forces, with the preload of the sheet, without a load that balances them. Dampers have their whole forces.
+    /// other loads. full: the whole forces, with the preload of the sheet or the position without force of a joint, without a load that balances them. Dampers have their whole forces.
     /// none: left out.
     #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "in_time", help_heading = IMPACT))]
     pub springs: Option<SheetSprings>,

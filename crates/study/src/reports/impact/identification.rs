@@ -3,7 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::finite_mass;
-use crate::damper::sheet_forces::force_beside;
+use crate::damper::sheet_forces::{ForcesBeside, forces_beside};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -374,14 +374,21 @@ fn implausible(found: &Identification, expected: Option<f64>) -> Option<Diagnost
 
 /// Finding about springs and dampers of the sheet that act during the contact.
 fn forces_of_sheet(evaluated: &EvaluatedQuestion, report: &IdentificationReport) -> Option<DiagnosticRecord> {
-    let (names, force) = force_beside(evaluated)?;
+    let ForcesBeside { names, unknown, force } = forces_beside(evaluated)?;
     let part = |record: &IdentifiedRecord| {
         let (x, v) = (record.max_penetration.value, record.speed.value);
         force(x, 0.0).abs().max(force(0.0, v).abs()) / record.peak_force.value
     };
     let part = report.impacts.iter().map(|impact| part(&impact.identified)).fold(0.0, f64::max);
+    if !unknown.is_empty() {
+        let message = format!(
+            "forces act during the contact and are not in the fit: {}; remove them from the rig",
+            unknown.join(", ")
+        );
+        return Some(Finding::about_result(FindingKind::SpringsAct, message).into());
+    }
     let message = format!(
-        "springs and dampers of the sheet act during the contact ({}), with up to {:.0} % of its largest force, and are not in the fit: a \
+        "springs and dampers of the model act during the contact ({}), with up to {:.0} % of its largest force, and are not in the fit: a \
          measured motion includes them; remove them from the rig, or measure the impact with a speed at which their force is small",
         names.join(", "),
         100.0 * part

@@ -261,7 +261,12 @@ pub fn impact(
     let (in_time, of_dampers) = in_time(&evaluated, impact, &rigid, &held)?.unzip();
     if let Some(found) = &in_time {
         // The impact in time has these effects.
-        let estimated = [FindingKind::SpringsAct, FindingKind::MassDrifts, FindingKind::ForceBeyondData];
+        let estimated = [
+            FindingKind::SpringsAct,
+            FindingKind::MassDrifts,
+            FindingKind::ForceBeyondData,
+            FindingKind::JointSprings,
+        ];
         diagnostics.retain(|found| !estimated.iter().any(|kind| kind.code() == found.code));
         if found.compliant.is_some() {
             diagnostics.retain(|found| !FindingKind::ELASTIC.iter().any(|kind| kind.code() == found.code));

@@ -2,7 +2,7 @@
 
 use crate::damper::damped_contact::finite_mass;
 use crate::damper::damping::{contact, contact_damper, require_stiffness};
-use crate::damper::sheet_forces::{force_beside, with_sheet_curve};
+use crate::damper::sheet_forces::{forces_beside, with_sheet_curve};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
@@ -59,8 +59,8 @@ pub(super) struct ContactImpact {
     peak_force: f64,
     /// Largest compression, m.
     compression: f64,
-    /// Restitution with the springs, dampers, tyres and the anti-roll bar of the sheet, to first order; `None`: the contact does not end.
-    restitution: Option<f64>,
+    /// Restitution with the springs, dampers, tyres and the anti-roll bar of the sheet, to first order, or the reason for its absence.
+    restitution: Result<f64, String>,
 }
 
 /// Impact at a named contact, a stop at its touch. The damper is that for the restitution of the question, times its factor.
@@ -85,9 +85,11 @@ pub(super) fn contact_impact(
     let damper = contact_damper(&question, compliant)?.scaled(factors.damping)?;
     let speed = question.speed().unwrap_or(f64::NAN);
     let alone = damper.impact(compliant, speed)?;
-    let restitution = match force_beside(&evaluated) {
-        Some((_, beside)) => restitution_beside_forces(damper, compliant, speed, &beside)?,
-        None => Some(alone.restitution),
+    let restitution = match forces_beside(&evaluated) {
+        Some(beside) if !beside.unknown.is_empty() => Err(beside.unknown.join(", ")),
+        Some(beside) => restitution_beside_forces(damper, compliant, speed, &beside.force)?
+            .ok_or_else(|| "the contact does not end".to_owned()),
+        None => Ok(alone.restitution),
     };
     Ok(ContactImpact {
         damper,
@@ -108,20 +110,20 @@ pub(super) fn impact_values(
     let found = found.and_then(|impact| {
         contact_impact(model, contact, impact, factors).map_err(|error| error.to_string())
     });
-    let value = |start: &str, unit, value: fn(&ContactImpact) -> Option<f64>| KinematicValue {
+    let value = |start: &str, unit, value: fn(&ContactImpact) -> Result<f64, String>| KinematicValue {
         name: format!("{start}{contact}"),
         side: "",
         unit,
         value: found
             .as_ref()
             .map_err(Clone::clone)
-            .and_then(|found| value(found).ok_or_else(|| "the contact does not end".to_owned())),
+            .and_then(value),
     };
     let [force, depth, restitution] = CONTACT_IMPACT;
     [
-        value(force, KinematicUnit::Force, |found| Some(found.peak_force)),
-        value(depth, KinematicUnit::Length, |found| Some(found.compression)),
-        value(restitution, KinematicUnit::Ratio, |found| found.restitution),
+        value(force, KinematicUnit::Force, |found| Ok(found.peak_force)),
+        value(depth, KinematicUnit::Length, |found| Ok(found.compression)),
+        value(restitution, KinematicUnit::Ratio, |found| found.restitution.clone()),
     ]
 }
 

@@ -1,5 +1,6 @@
-//! Parser of `<joint>`: kind, links, origin, axis, limits, armature, mimic.
+//! Parser of `<joint>`: kind, links, origin, axis, limits, armature, mimic, spring; and of `<elastic>`.
 
+use crate::parts::{SPRING_LEFT_OUT, joint_spring};
 use crate::reading::findings::did_you_mean;
 use crate::reading::limits::UNLIMITED;
 use crate::reading::report::{Place, Report, quoted};
@@ -7,11 +8,13 @@ use crate::reading::xml::Node;
 use crate::urdf::elements::joints::armature;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::{
-    optional_numbers, parse_numbers, report_missing_attribute, required_numbers,
+    optional_numbers, parse_numbers, report_missing_attribute, required_number, required_numbers,
 };
 use crate::urdf::elements::origin::{self, Origin};
 use crate::urdf::elements::survey::child;
-use percuss_mechanism::{JointDescription, JointKind, Limits, MimicDescription, Severity, near_names};
+use percuss_mechanism::{
+    ElasticGear, JointDescription, JointKind, Limits, MimicDescription, Severity, SpringDamper, near_names,
+};
 use percuss_spatial::Vector3;
 
 /// Checked `<joint>`: every number is valid.
@@ -31,6 +34,10 @@ pub(crate) struct JointText<'a> {
     pub mimic: Option<MimicText<'a>>,
     /// Recommended role: `true` to drive the mechanism, `false` to follow; `None` without a recommendation.
     pub independent: Option<bool>,
+    /// Spring and damper parallel to the motion.
+    pub spring: Option<SpringDamper>,
+    /// Elasticity of the gear: `<elastic>` of the robot.
+    pub gear: Option<ElasticGear>,
 }
 
 impl JointText<'_> {
@@ -53,6 +60,8 @@ impl JointText<'_> {
             armature: self.armature.clone(),
             mimic,
             independent: self.independent,
+            spring: self.spring,
+            gear: self.gear,
         }
     }
 }
@@ -85,6 +94,41 @@ pub(crate) fn read_joint<'a>(node: Node<'a>, report: &mut Report) -> JointText<'
         armature: armature::read_joint_armature(node, report),
         mimic: child(node, "mimic").and_then(|n| read_mimic(n, kind, report)),
         independent: read_independent(node, report),
+        spring: read_spring(node, kind, report),
+        gear: None,
+    }
+}
+
+/// Spring and damper of `<dynamics damping="d" spring_stiffness="k" spring_reference="q₀"/>`.
+fn read_spring(node: Node<'_>, kind: Option<JointKind>, report: &mut Report) -> Option<SpringDamper> {
+    let dynamics = child(node, "dynamics")?;
+    let numbers = ["spring_stiffness", "damping", "spring_reference"]
+        .map(|name| optional_numbers(dynamics, name, [0.0], report)[0]);
+    joint_spring(kind.map_or(0, JointKind::dofs), numbers).unwrap_or_else(|why| {
+        report.note(SPRING_LEFT_OUT, Place::Element(dynamics), || why.to_owned());
+        None
+    })
+}
+
+/// Reads `<elastic joint="shoulder" stiffness="9e4" damping="19"/>` of the robot into its joint: the elasticity of the gear between the rotor, the
+/// armature of the joint, and the joint.
+pub(crate) fn read_gear(node: Node<'_>, joints: &mut [JointText<'_>], report: &mut Report) {
+    let Some(name) = node.attribute("joint") else {
+        report_missing_attribute(node, "joint", report);
+        return;
+    };
+    let [damping] = optional_numbers(node, "damping", [0.0], report);
+    let Some(stiffness) = required_number(node, "stiffness", report) else { return };
+    let place = Place::Attribute(node, "joint");
+    let near = near_names(name, joints.iter().map(|joint| joint.name));
+    match joints.iter_mut().find(|joint| joint.name == name) {
+        Some(joint) if joint.gear.is_none() => joint.gear = Some(ElasticGear { stiffness, damping }),
+        Some(_) => report.error("two-gears", place, || {
+            format!("the joint {} has an <elastic> already; give it once", quoted(name))
+        }),
+        None => report.error("unknown-joint", place, || {
+            format!("the joint {} does not exist{}", quoted(name), did_you_mean(&near))
+        }),
     }
 }
 

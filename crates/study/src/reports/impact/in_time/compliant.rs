@@ -129,7 +129,7 @@ pub(super) fn compliant(
     }
     let EvaluatedQuestion { pose, result, .. } = evaluated;
     if !has_elastic_joints(evaluated) {
-        let why = "the model has no elastic bushes and gears: give bushes in the suspension sheet, or gear_stiffness";
+        let why = "the model has no elastic bushes and gears: give bushes in the suspension sheet, <bushing> or <elastic> in the URDF, or gear_stiffness";
         return Err(InvalidKey::with_names("impact.compliance", why.to_owned()).into());
     }
     if damper.jumps_at_reversal() {

@@ -2,7 +2,9 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::damper::sheet_forces::{ElementForce, SheetElement, sheet_bars, sheet_elements, sheet_tyres};
+use crate::damper::sheet_forces::{
+    ElementForce, SheetElement, joint_springs, sheet_bars, sheet_elements, sheet_tyres,
+};
 use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
@@ -13,7 +15,7 @@ use crate::values::point_force::{Ends, GivenDrive};
 use crate::values::rates::rate_dimension;
 use percuss_dynamics::Pose;
 use percuss_impact::{ImpactInTime, ImpactSample, JointSpring, PointSpring, Support, peak_over_time};
-use percuss_mechanism::{JointId, LinkId};
+use percuss_mechanism::{JointId, LinkId, SpringDamper};
 use percuss_spatial::Vector3;
 use percuss_units::Dimension;
 use schemars::JsonSchema;
@@ -81,6 +83,19 @@ pub struct AntiRollBarRecord {
     pub stiffness: f64,
 }
 
+/// Spring and damper parallel to a joint during an impact in time: of the model, or given.
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct JointSpringRecord {
+    /// The joint.
+    pub joint: String,
+    /// Stiffness, N·m/rad or N/m.
+    pub stiffness: f64,
+    /// Damping, N·m·s/rad or N·s/m.
+    pub damping: f64,
+    /// Force or moment of the spring at the touch on the joint, N·m or N; 0 if only the change of the force acts.
+    pub force_at_touch: f64,
+}
+
 /// Spring, damper or drive between points with its name.
 type NamedSpring = (String, PointSpring);
 
@@ -103,7 +118,21 @@ impl ActingForces {
         let EvaluatedQuestion { prepared, pose, .. } = evaluated;
         let (lines, left_out) = point_springs(evaluated, impact)?;
         let (drives, joints) = (drives(pose, impact)?, springs(pose, impact)?);
+        let mode = impact.springs.unwrap_or_default();
         let mut acting = Self { lines, joints, drives, left_out, tyres: Vec::new(), bars: Vec::new() };
+        for (joint, spring) in joint_springs(pose) {
+            // A given spring takes the place of that of the model.
+            if acting.joints.iter().any(|given| given.joint == joint) {
+                continue;
+            }
+            if mode == SheetSprings::None {
+                acting.left_out.push(format!("spring of {}", pose.mechanism().joint(joint).name()));
+                continue;
+            }
+            let free_position = (mode == SheetSprings::Full).then_some(spring.reference);
+            let SpringDamper { stiffness, damping, .. } = spring;
+            acting.joints.push(JointSpring { damping, free_position, ..twist_spring(joint, None, stiffness) });
+        }
         for drive in &acting.drives {
             match drive.acts {
                 Drive::Points(ends) => {
@@ -115,7 +144,6 @@ impl ActingForces {
                 }
             }
         }
-        let mode = impact.springs.unwrap_or_default();
         match sheet_bars(prepared.model) {
             Some(_) if mode == SheetSprings::None => acting.left_out.push("anti-roll bar".to_owned()),
             Some(bar) => {
@@ -198,6 +226,25 @@ impl ActingForces {
             }
         };
         self.drives.iter().map(&mut record).collect()
+    }
+
+    /// Springs of joints.
+    pub fn joint_records(&self, touch: &Pose) -> Vec<JointSpringRecord> {
+        let is_spring = |spring: &&JointSpring| {
+            spring.other.is_none() && (spring.stiffness > 0.0 || spring.damping > 0.0)
+        };
+        let record = |spring: &JointSpring| {
+            let position = touch.joint(spring.joint)[0];
+            JointSpringRecord {
+                joint: touch.mechanism().joint(spring.joint).name().to_owned(),
+                stiffness: spring.stiffness,
+                damping: spring.damping,
+                force_at_touch: spring.stiffness * (spring.free_position.unwrap_or(position) - position),
+            }
+        };
+        let bars = self.bars.iter().flat_map(|bar| &bar.hinges);
+        let is_bar = |record: &JointSpringRecord| bars.clone().any(|hinge| *hinge == record.joint);
+        self.joints.iter().filter(is_spring).map(record).filter(|record| !is_bar(record)).collect()
     }
 
     /// Dampers between points.

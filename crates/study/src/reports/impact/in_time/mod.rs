@@ -17,7 +17,7 @@ use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::in_time::compliant::{CompliantImpactRecord, compliant};
 use crate::reports::impact::in_time::forces::{
-    ActingForces, AntiRollBarRecord, DriveRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
+    ActingForces, AntiRollBarRecord, DriveRecord, JointSpringRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
 };
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::{
@@ -120,12 +120,14 @@ pub struct ImpactTimeRecord {
     pub tyres: Vec<TyreRecord>,
     /// Anti-roll bars that act.
     pub anti_roll_bars: Vec<AntiRollBarRecord>,
+    /// Springs and dampers of joints that act: those of the model, and given ones.
+    pub joint_springs: Vec<JointSpringRecord>,
     /// Drives that act.
     pub drives: Vec<DriveRecord>,
     /// Effective weight of absorber catalogues, kg (kg·m² for a moment): m̄ + 2W/v² with the work W of the drives until the largest
     /// penetration and the closing speed v. It is no mass of the mechanism; null without drives.
     pub effective_weight: Option<f64>,
-    /// Springs, dampers, tyres and anti-roll bars of the suspension sheet that are left out.
+    /// Springs, dampers, tyres and anti-roll bars of the suspension sheet and springs of joints that are left out.
     pub springs_left_out: Vec<String>,
     /// Second touch of the contact within three of its durations after its end, without the force of the contact in between; null if there is none.
     pub second_touch: Option<SecondTouchRecord>,
@@ -240,6 +242,7 @@ pub(crate) fn in_time(
         springs: acting.spring_records(pose, &found),
         dampers: acting.damper_records(),
         tyres: acting.tyre_records(pose, &found),
+        joint_springs: acting.joint_records(pose),
         drives,
         effective_weight,
         anti_roll_bars: acting.bars,
