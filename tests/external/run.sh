@@ -84,6 +84,7 @@ if [ -n "$gate" ]; then
   check linkage "$venv/bin/python" "$here/loops.py" --percuss "$percuss" --only four_bar
   check suspension "$venv/bin/python" "$here/suspensions/check.py" --percuss "$percuss" --count 1 --template double-wishbone
   check shipped_models "$programs/percuss-reference" "shipped models" models/four_bar.urdf models/six_r_arm.urdf models/floating_body.urdf
+  check curved_contacts "$venv/bin/python" "$here/contact/curved_contacts.py" --percuss "$percuss" --count 4
 else
   # The longest first.
   check suspensions "$venv/bin/python" "$here/suspensions/check.py" --percuss "$percuss" --count 2
@@ -95,6 +96,7 @@ else
   check robots "$venv/bin/python" "$here/compare.py" --probe "$programs/percuss-probe" "$@"
   check engines "$here/engines.sh" "$percuss"
   check integrators env PYTHONPATH="$here" "$venv/bin/python" "$here/contact/integrators.py" --percuss "$percuss"
+  check curved_contacts "$venv/bin/python" "$here/contact/curved_contacts.py" --percuss "$percuss" --count 32
   check contacts env PYTHONPATH="$here" "$drake/bin/python" "$here/contact/check.py" --percuss "$percuss"
   check reports python3 "$here/reports.py" --percuss "$percuss"
   check designs "$venv/bin/python" "$here/designs.py" --percuss "$percuss" --count 30

@@ -146,6 +146,7 @@ CASES: dict[str, Callable[[], Any]] = {
     "Contact.cable": lambda: TOOL.cable,
     "Model.contact": lambda: CORNER.contact("spring").point,
     "Model.changed": lambda: ARM.changed(link_mass={"tool": 1.0}).total_mass,
+    "Model.with_bush": lambda: ARM.with_bush("rubber", "tool", stiffness=[100, 100, 50, 1e6, 1e6, 1e5]).bushes,
     "Model.to_urdf": ARM.to_urdf,
     "Model.to_mjcf": ARM.to_mjcf,
     "Model.to_sdf": ARM.to_sdf,

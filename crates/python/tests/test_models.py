@@ -303,3 +303,32 @@ def test_what_does_not_assemble() -> None:
         model.pose({driver: 3.0})
     with pytest.raises(percuss.errors.AssemblyError, match=driver):
         percuss.mass(model, percuss.Contact("wheel_centre", [0, 0, 0], [0, 0, -1]), percuss.Conditions(set={driver: 3.0}))
+
+
+def test_a_bush_is_that_of_the_file() -> None:
+    text = """<robot name="cart"><link name="rail"/>
+      <link name="cart"><inertial><mass value="3"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <link name="lamp"><inertial><mass value="2"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+      <joint name="slide" type="prismatic"><parent link="rail"/><child link="cart"/><limit lower="-1" upper="1" effort="0" velocity="0"/></joint>
+      <joint name="mount" type="fixed"><parent link="cart"/><child link="lamp"/></joint>{}</robot>"""
+    bushing = """<bushing name="rubber" parent="lamp" child="cart"><origin xyz="0 0 0.1" rpy="0 1.5707963267948966 0"/>
+      <stiffness xyz="4e4 4e4 8e4" rpy="30 30 20" loss_factor="0.1"/><joint name="mount"/></bushing>"""
+    plain, read = percuss.loads(text.format("")), percuss.loads(text.format(bushing))
+    contact = percuss.Contact("lamp", [0, 0, 0], [1, 0, 0])
+    built = plain.with_bush(
+        "rubber", "lamp", against="cart", at=[0, 0, 0.1], axis=[1, 0, 0], x_axis=[0, 0, -1],
+        stiffness=[30, 30, 20, 4e4, 4e4, 8e4], loss_factor=0.1, replaces=["mount"],
+    )  # fmt: skip
+    assert built.bushes == ["rubber"] and plain.bushes == []
+    expected, found = percuss.mass(read, contact).compliance, percuss.mass(built, contact).compliance
+    assert expected is not None and found is not None and found.free_mass == pytest.approx(expected.free_mass, rel=1e-12)
+    assert found.residual_stiffness == pytest.approx(expected.residual_stiffness, rel=1e-12)
+    # The bush is kept by later changes and by pickling.
+    for kept in (built.changed(link_mass={"lamp": 2.0}), pickle.loads(pickle.dumps(built))):
+        assert kept.bushes == ["rubber"]
+        again = percuss.mass(kept, contact).compliance
+        assert again is not None and again.residual_stiffness == pytest.approx(found.residual_stiffness, rel=1e-12)
+    with pytest.raises(percuss.InputError, match="lampe"):
+        plain.with_bush("rubber", "lampe", stiffness=[0.0] * 6)
+    with pytest.raises(percuss.InputError, match="axis"):
+        plain.with_bush("rubber", "lamp", axis=[0, 0, 0], stiffness=[0.0] * 6)

@@ -90,7 +90,7 @@ def integrate(system, law, start, speed, depth):
     reversal.terminal, reversal.direction = law.kind == "loss-factor", -1
     for _ in range(12):
         found = solve_ivp(lambda _, y: system.rate(y, force(y)), [time, time + 60 * whole], y, method="DOP853", rtol=1e-12, atol=1e-13,
-                          max_step=whole / 150, dense_output=True, events=[end, reversal])
+                          max_step=whole / 60, dense_output=True, events=[end, reversal])
         grid = np.unique(np.concatenate([np.linspace(found.t[i], found.t[i + 1], 5) for i in range(len(found.t) - 1)]))
         for k, of in enumerate((force, lambda y: system.gap(y)[0])):
             values = np.array([of(found.sol(t)) for t in grid])

@@ -194,6 +194,9 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     if let (Some(requested), Some(report)) = (&tables.kinematics, &report.kinematics) {
         kinematics::show_of_study(report, requested, strict)?;
     }
+    if let Some(report) = &report.targets {
+        kinematics::show_targets(report)?;
+    }
     if let (Some(requested), Some(result)) = (&tables.map, &report.map) {
         map::write(result, &map_output(requested, MassFormat::Text, strict)?)?;
     }

@@ -104,8 +104,8 @@ def run(path: str | os.PathLike[str]) -> records.AnyRecord:
 def ask(model: Model, request: Mapping[str, Any]) -> records.RequestReport:
     """Answers the tables of a study about a model: ``{"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}``. The
     request has the tables and keys of docs/reference/STUDY_KEYS.md, without the path of a model and without output files. The keys of
-    the result are the tables: "mass", "contacts", "damping", "impact", "extremes", "sweep", "comparison", "kinematics", "map", "safe_speed"
-    (a list), "check"; "generate", "convert", "export" (files as text). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError.
+    the result are the tables: "mass", "contacts", "damping", "impact", "extremes", "sweep", "comparison", "kinematics", "targets", "map",
+    "safe_speed" (a list), "check"; "generate", "convert", "export" (files as text). SI units; text with a unit is allowed. Raises InputError, whose message contains the key, and NoAnswerError.
 
         >>> percuss.study.ask(corner, {"contact": {"at": "bump_stop"}, "impact": {"restitution": 0.3, "speed": 1}}).impact
     """

@@ -11,6 +11,7 @@ use crate::map::surface_map::map;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
+use crate::question::tables::kinematics::TargetsQuestion;
 use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
@@ -30,7 +31,8 @@ use crate::reports::impact::reflected::ReflectedReport;
 use crate::reports::impact::report::{ImpactReport, impact};
 use crate::reports::kinematics::errors::KinematicsError;
 use crate::reports::kinematics::report::{KinematicsReport, kinematics};
-use crate::reports::kinematics::target_search::TargetReport;
+use crate::reports::kinematics::target_question::TargetSearch;
+use crate::reports::kinematics::target_search::{TargetReport, search_targets};
 use crate::reports::mass_report::MassReport;
 use crate::reports::safe_speed::{SafeSpeedReport, safe_speeds};
 use crate::study_file::additions::{StudyAdditions, WithAdditions};
@@ -141,6 +143,9 @@ pub struct RequestReport {
     /// Kinematics of a suspension.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub kinematics: Option<KinematicsReport>,
+    /// Search for required values of a suspension.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub targets: Option<TargetReport>,
     /// Map.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub map: Option<MapResult>,
@@ -242,12 +247,13 @@ pub fn report_schema() -> Value {
 impl StudyFile {
     /// Names of the tables with a result, and of the comparison of contacts and variants. Without a contact, the first given table has the
     /// main result.
-    pub const TABLES: [&str; 14] = [
+    pub const TABLES: [&str; 15] = [
         "damping",
         "map",
         "safe_speed",
         "check",
         "kinematics",
+        "targets",
         "restitution",
         "identify",
         "response",
@@ -331,6 +337,7 @@ impl StudyFile {
             sweep: None,
             comparison: has_designs.then(|| self.compare(&self.designs())).transpose()?,
             kinematics: asked!(kinematics).map(|asked| kinematics(model, asked)).transpose()?,
+            targets: asked!(targets).map(|asked| self.search(asked)).transpose()?,
             map: of_table("map", asked!(map), |asked| {
                 requested_map(model, conditions, asked).map_err(|error| error.with_field(of_map))
             })?,
@@ -352,6 +359,13 @@ impl StudyFile {
                 .map(|(damping, asked)| export(model, conditions, damping, asked))
                 .transpose()?,
         })
+    }
+
+    /// Search of the table `[targets]`.
+    fn search(&self, asked: &TargetsQuestion) -> Result<TargetReport, AskError> {
+        let search = TargetSearch::of_table(asked, self.question.clone());
+        let search = search.map_err(StudyError::from)?;
+        Ok(search_targets(&self.model, &asked.question, &search)?)
     }
 
     /// Impact and extremes at the contact of the study.

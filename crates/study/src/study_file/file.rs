@@ -17,6 +17,7 @@ use crate::question::tables::mass::MassOptions;
 use crate::question::tables::safe_speed::SafeSpeedQuestion;
 use crate::question::tables::sweep::SweepQuestion;
 use crate::reports::compare::Design;
+use crate::reports::kinematics::target_question::TargetSearch;
 use crate::study_file::closure::{ClosureText, closure_fault, with_closures};
 use crate::study_file::contacts::{StudyContact, expand, several_contacts};
 use crate::study_file::keys::{StudyKeys, UnknownKey};
@@ -370,6 +371,11 @@ impl StudyReader<'_> {
         study.extremes = extremes.transpose().map_err(refused)?;
         let kinematics = study.kinematics.take().map(|asked| asked.checked(&question, folder));
         study.kinematics = kinematics.transpose().map_err(refused)?;
+        if let Some(asked) = &mut study.targets {
+            TargetSearch::of_table(asked, None).map_err(refused)?;
+            asked.question.vehicle = study.kinematics.as_ref().map(|asked| asked.vehicle).unwrap_or_default();
+            asked.question.set_state(&question, None);
+        }
         let generate = study.generate.take().map(|asked| asked.checked(folder));
         study.generate = generate.transpose().map_err(refused)?;
         let convert = study.convert.take().map(|asked| asked.checked(folder));
@@ -410,7 +416,7 @@ impl StudyReader<'_> {
         // A study without a contact needs another query.
         let stops = study.damping.as_ref().is_some_and(|damping| damping.limit.is_some());
         let without_contact =
-            stops || self.has_table(&["map", "safe_speed", "kinematics", "check", "convert"]);
+            stops || self.has_table(&["map", "safe_speed", "kinematics", "targets", "check", "convert"]);
         let of_contact = !without_contact
             || study.damping.is_some() && !stops
             || self.has_table(&[

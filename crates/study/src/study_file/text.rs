@@ -11,7 +11,7 @@ use crate::question::tables::exports::{ConversionQuestion, ExportQuestion};
 use crate::question::tables::extremes::ExtremesQuestion;
 use crate::question::tables::identify::IdentifyQuestion;
 use crate::question::tables::impact::ImpactQuestion;
-use crate::question::tables::kinematics::KinematicsQuestion;
+use crate::question::tables::kinematics::{KinematicsQuestion, TargetsQuestion};
 use crate::question::tables::map::MapQuestion;
 use crate::question::tables::mass::MassOptions;
 use crate::question::tables::model::{CheckQuestion, ModelTable};
@@ -74,6 +74,8 @@ pub struct StudyTables {
     pub sweep: Option<SweepQuestion>,
     /// Camber, toe, motion ratios of a suspension over a travel: percuss kinematics.
     pub kinematics: Option<KinematicsQuestion>,
+    /// Coordinates, masses, curves and dampers of a suspension for required values: percuss kinematics --solve.
+    pub targets: Option<TargetsQuestion>,
     /// The surface of links, or all directions at a point: percuss map.
     pub map: Option<MapQuestion>,
     /// Safe speed of the contact if it may hit a person: percuss safe-speed.

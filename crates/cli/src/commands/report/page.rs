@@ -6,6 +6,7 @@ use super::{answers, contact, first_page, mechanism};
 use crate::args::RunArgs;
 use crate::commands::impacts::in_time::forces_sentence;
 use crate::commands::impacts::{extremes, identify, response, restitution, rigid_impact, safe_speed};
+use crate::commands::suspension::kinematics;
 use crate::commands::{damp, map, mass};
 use crate::files::html::{Head, Page};
 use crate::terminal::failure::Failure;
@@ -52,6 +53,13 @@ pub(super) fn text(
     }
     if let Some(report) = &results.report.kinematics {
         answers::add_kinematics(report, study, &mut page);
+    }
+    if let Some(report) = &results.report.targets {
+        page.section("Targets");
+        if !report.is_reached {
+            page.warning("the required values are not reached; the nearest values found follow");
+        }
+        page.table(&kinematics::search_table(report).rows());
     }
     let damper = results
         .report

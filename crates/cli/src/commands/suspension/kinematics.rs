@@ -139,12 +139,7 @@ fn show_search(
         KinematicsFormat::Csv => write_out(&search_as_csv(&report))?,
         KinematicsFormat::Json => write_json(&report)?,
     }
-    if !report.is_reached {
-        return Err(Failure::NoAnswer(format!(
-            "the required values are not reached within {}; above are the nearest values found and their coordinates",
-            model.length_unit().text(report.within)
-        )));
-    }
+    check_reached(&report)?;
     match &args.output {
         Some(path) => {
             let changed = changed_sheet(model, &report.moves)?;
@@ -153,6 +148,40 @@ fn show_search(
         }
         None => Ok(()),
     }
+}
+
+/// Exit code 1 for a search that does not reach its values.
+fn check_reached(report: &TargetReport) -> Result<(), Failure> {
+    match report.is_reached {
+        true => Ok(()),
+        false => Err(Failure::NoAnswer(format!(
+            "the required values are not reached within {}; above are the nearest values found and their coordinates",
+            report.length_unit.text(report.within)
+        ))),
+    }
+}
+
+/// Shows the search of a study on stdout.
+pub fn show_targets(report: &TargetReport) -> Result<(), Failure> {
+    write_text(&search_text(report))?;
+    check_reached(report)
+}
+
+/// Table of a search: unknowns, then quantities, each with its old, new and required value.
+pub fn search_table(report: &TargetReport) -> Table {
+    let mut table = Table::new(["", "old", "new", "required"]);
+    let with_unit =
+        |name: &str, unit: &str| if unit.is_empty() { name.to_owned() } else { format!("{name}, {unit}") };
+    for found in &report.coordinates {
+        let label = with_unit(&found.coordinate, found.unit);
+        table.row([label, number(found.old), number(found.new), String::new()]);
+    }
+    for target in &report.targets {
+        let (unit, factor, _) = target.unit.of_table(report.length_unit);
+        let [old, new, required] = [target.old, target.reached, target.required].map(|x| number(x * factor));
+        table.row([with_unit(&target.quantity, unit), old, new, required]);
+    }
+    table
 }
 
 /// Refuses a name of the changed file with another ending than the file that was read.
@@ -169,22 +198,7 @@ fn check_format(path: &str, read: &str) -> Result<(), Failure> {
 
 /// Result of a search as text.
 fn search_text(report: &TargetReport) -> String {
-    let mut table = Table::new(["", "old", "new", "required"]);
-    for found in &report.coordinates {
-        let label = if found.unit.is_empty() {
-            found.coordinate.clone()
-        } else {
-            format!("{}, {}", found.coordinate, found.unit)
-        };
-        table.row([label, number(found.old), number(found.new), String::new()]);
-    }
-    for target in &report.targets {
-        let (unit, factor, _) = target.unit.of_table(report.length_unit);
-        let label =
-            if unit.is_empty() { target.quantity.clone() } else { format!("{}, {unit}", target.quantity) };
-        let [old, new, required] = [target.old, target.reached, target.required].map(|x| number(x * factor));
-        table.row([label, old, new, required]);
-    }
+    let table = search_table(report);
     let moves: Vec<String> = report
         .moves
         .iter()

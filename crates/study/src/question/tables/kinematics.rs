@@ -8,13 +8,15 @@ use crate::question::tables::headings::VEHICLE;
 use crate::question::travel::given_travel::{GivenTravel, GivenTravelError};
 use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::question::travel::vary::{Vary, VaryError};
-use crate::values::quantities::{Length, PositiveMass, Ratio, Stiffness};
+use crate::values::quantities::{Length, PositiveMass, Ratio, Speed, Stiffness};
+use crate::values::value::NumberOrText;
 use percuss_mechanism::JointKind;
 use percuss_suspension::kinematics::{ComplianceLoads, LoadedWheels, RACK, Vehicle};
 use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::de::Error;
 use serde::{Deserialize, Deserializer};
+use std::collections::BTreeMap;
 use std::path::Path;
 
 /// Variable of the state of a suspension.
@@ -142,6 +144,28 @@ pub struct KinematicsQuestion {
     pub state: Vec<(KinematicVariable, f64)>,
 }
 
+/// Search for coordinates, masses, stop curves and dampers of a suspension that give quantities required values: percuss kinematics --solve. The pose is
+/// that of the study, the data of the vehicle are those of `[kinematics]`.
+#[derive(Clone, Debug, Deserialize, JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct TargetsQuestion {
+    /// Unknowns: POINT.AXIS, LINK.mass, CONTACT.curve or CONTACT.damping.
+    pub solve: Vec<String>,
+    /// Required values by quantity, as many as unknowns: "bump_stop.peak_force" = "6 kN".
+    pub values: BTreeMap<String, NumberOrText>,
+    /// Largest change of each coordinate; default: 20 mm.
+    pub within: Option<Length>,
+    /// Closing speed of the contacts, for peak_force, compression and restitution.
+    pub speed: Option<Speed>,
+    /// Restitution at this speed, for the damping without springs, dampers and tyre; default: 1, no damping.
+    pub restitution: Option<Ratio>,
+    /// Stiffness of the contacts in place of the curve of the sheet.
+    pub stiffness: Option<Stiffness>,
+    /// Question at the pose of the study.
+    #[serde(skip)]
+    pub question: KinematicsQuestion,
+}
+
 impl VehicleData {
     /// Data as plain numbers.
     pub(crate) fn vehicle(&self) -> Vehicle {
@@ -225,22 +249,27 @@ impl KinematicsQuestion {
         self.vehicle.check()?;
         let mut question = self.clone();
         question.output = self.output.as_ref().map(|output| path_in(folder, output));
+        question.set_state(pose, Some(varied));
+        Ok(question)
+    }
+
+    /// Sets the travels of the wheels and the position of the rack of a pose, apart from the variable of the rows.
+    pub(crate) fn set_state(&mut self, pose: &MassQuestion, varied: Option<KinematicVariable>) {
         for travel in &pose.travel {
             let Moved::Wheels(motion) = travel.moved else { continue };
             let is_beside = match varied {
-                KinematicVariable::Wheels(varied) => travel.moved.is_beside(&Moved::Wheels(varied)),
-                KinematicVariable::Steer => true,
+                Some(KinematicVariable::Wheels(varied)) => travel.moved.is_beside(&Moved::Wheels(varied)),
+                Some(KinematicVariable::Steer) | None => true,
             };
             if is_beside {
-                question.state.push((KinematicVariable::Wheels(motion), travel.distance));
+                self.state.push((KinematicVariable::Wheels(motion), travel.distance));
             }
         }
         let rack = pose.set.iter().find(|(joint, _)| joint == RACK);
         let at = rack.and_then(|(_, position)| position.values_for_joint(JointKind::Prismatic).ok());
-        if let Some(&[at]) = at.as_deref().filter(|_| varied != KinematicVariable::Steer) {
-            question.state.push((KinematicVariable::Steer, at));
+        if let Some(&[at]) = at.as_deref().filter(|_| varied != Some(KinematicVariable::Steer)) {
+            self.state.push((KinematicVariable::Steer, at));
         }
-        Ok(question)
     }
 
     /// True if the rack moves.

@@ -1,7 +1,11 @@
 //! Unknowns and required values of a search in a suspension sheet.
 
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
+use crate::question::tables::kinematics::TargetsQuestion;
+use crate::values::quantities::{Length, Ratio};
+use crate::values::value::NumberOrText;
 use crate::reports::kinematics::column_names::column_name;
 use percuss_suspension::kinematics::KinematicUnit;
 use percuss_units::{Dimension, LengthUnit, Quantity};
@@ -157,3 +161,47 @@ pub struct TargetSearch {
     /// is the force curve of the stop in the sheet.
     pub impact: Option<DampingQuestion>,
 }
+
+impl TargetSearch {
+    /// Search of a table of a study. `mass`: question of the quantity `effective_mass`.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: an unknown or a value without the expected form, numbers out of range.
+    pub(crate) fn of_table(asked: &TargetsQuestion, mass: Option<MassQuestion>) -> Result<Self, InvalidKey> {
+        let unknown = |text: &String| {
+            text.parse().map_err(|why| InvalidKey::new("targets.solve", format!("{text}: {why}")))
+        };
+        let target = |(quantity, value): (&String, &NumberOrText)| {
+            let text = format!("{quantity}={}", value.clone().text());
+            text.parse().map_err(|why| InvalidKey::new("targets.values", format!("{text}: {why}")))
+        };
+        let Length(within) = asked.within.unwrap_or(DEFAULT_CHANGE);
+        if !(within.is_finite() && within > 0.0) {
+            return Err(InvalidKey::new("targets.within", format!("{within} m; more than 0 is expected")));
+        }
+        let beside_speed = [
+            ("targets.restitution", asked.restitution.is_some()),
+            ("targets.stiffness", asked.stiffness.is_some()),
+        ];
+        if let Some((key, _)) = beside_speed.into_iter().find(|(_, is_given)| *is_given && asked.speed.is_none()) {
+            return Err(InvalidKey::new(key, "it requires `speed`, the closing speed of the contacts"));
+        }
+        let impact = asked.speed.map(|speed| DampingQuestion {
+            speed: Some(speed),
+            restitution: asked.restitution.or(Some(Ratio(1.0))),
+            stiffness: asked.stiffness,
+            ..DampingQuestion::default()
+        });
+        impact.as_ref().map_or(Ok(()), |impact| impact.checked().map(drop))?;
+        Ok(Self {
+            unknowns: asked.solve.iter().map(unknown).collect::<Result<_, _>>()?,
+            targets: asked.values.iter().map(target).collect::<Result<_, _>>()?,
+            within,
+            mass,
+            impact,
+        })
+    }
+}
+
+/// Largest change of a coordinate without another value.
+const DEFAULT_CHANGE: Length = Length(0.02);
