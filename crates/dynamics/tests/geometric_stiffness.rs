@@ -49,7 +49,8 @@ fn a_pull_stiffens_a_rod_as_in_closed_form() {
     let end = [0.0, 0.0, length];
     for pull in [0.0, 25.0, 900.0, -30.0] {
         let load = Load::force(link, end.into(), Vector3::new(0.0, 0.0, pull));
-        let loaded = system(&pose, "rod", end, &[]).with_geometric_stiffness(&[load], &[]).expect("in balance");
+        let loaded =
+            system(&pose, "rod", end, &[]).with_geometric_stiffness(&[load], &[]).expect("in balance");
         let stiffness = rate + pull * length;
         let omega = (stiffness / (mass * length * length)).sqrt();
         let modes = loaded.modes().expect("stable");
@@ -79,7 +80,8 @@ fn a_preloaded_spring_agrees_with_second_differences_of_the_energy() {
     let spring = LinearElement { force, ..LinearElement::spring("spring", motion, stiffness) };
     // A moment holds the rod at rest; it does not change with small rotations about one axis.
     let lever = seat.cross(&((seat - anchor).normalize() * force)).y;
-    let holding = Load { moment: Vector3::new(0.0, -lever, 0.0), ..Load::force(link, seat, Vector3::zeros()) };
+    let holding =
+        Load { moment: Vector3::new(0.0, -lever, 0.0), ..Load::force(link, seat, Vector3::zeros()) };
     let end = [0.0, 0.0, length];
     let loaded = system(&pose, "rod", end, &[spring]).with_geometric_stiffness(&[holding], &[]);
     let found = loaded.expect("in balance").static_compliance().expect("a solution").expect("stiff");
@@ -91,8 +93,9 @@ fn a_preloaded_spring_agrees_with_second_differences_of_the_energy() {
         0.5 * rate * angle * angle + 0.5 * stiffness * change * change + lever * angle
     };
     let h = 1e-3;
-    let second = (16.0 * (energy(h) + energy(-h)) - (energy(2.0 * h) + energy(-2.0 * h)) - 30.0 * energy(0.0))
-        / (12.0 * h * h);
+    let second =
+        (16.0 * (energy(h) + energy(-h)) - (energy(2.0 * h) + energy(-2.0 * h)) - 30.0 * energy(0.0))
+            / (12.0 * h * h);
     // The part of the force is a tenth of the stiffness: a difference of fourth order of a sum of 100 J has seven digits.
     assert!((found * second / (length * length) - 1.0).abs() < 1e-7, "{found} {second}");
     let plain = rate + stiffness * ((seat - anchor).normalize().cross(&seat).y).powi(2);

@@ -86,9 +86,9 @@ pub use percuss_mechanism as mechanism;
 pub use percuss_mechanism::{
     Accept, BuildError, Built, Bush, BushDescription, Closure, ClosureDescription, ClosureId, ClosureKind,
     ContactDescription, ContactKind, ContactNormal, Coupling, CouplingDescription, Curve, CurveDescription,
-    ElasticGear, Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link, LinkDescription, LinkId,
-    LinkRatio, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription, NameKind, NamedContact,
-    Problem, RelationDescription, Severity, SpringDamper, Subject, UnknownName,
+    ElasticGear, Geometry, Inertial, Joint, JointDescription, JointId, JointKind, Limits, Link,
+    LinkDescription, LinkId, LinkRatio, LoopFrame, Mechanism, MechanismBuilder, Mimic, MimicDescription,
+    NameKind, NamedContact, Problem, RelationDescription, Severity, SpringDamper, Subject, UnknownName,
 };
 pub use percuss_spatial as spatial;
 #[cfg(feature = "study")]

@@ -77,7 +77,7 @@ pub use question::tables::headings;
 pub use question::tables::identify::{DamperFormName, IdentifyQuestion};
 pub use question::tables::impact::{ImpactQuestion, PercussionRequest, RestitutionLawName, SheetSprings};
 pub use question::tables::kinematics::{
-    AxlePosition, KinematicVariable, KinematicsQuestion, VehicleData, WheelLoads, TargetsQuestion,
+    AxlePosition, KinematicVariable, KinematicsQuestion, TargetsQuestion, VehicleData, WheelLoads,
 };
 pub use question::tables::map::{MapQuestion, MapShapes};
 pub use question::tables::mass::{GivenTolerance, MassOptions, Sampling, Tolerance, ToleranceError};

@@ -146,6 +146,11 @@ pub fn cases() -> Vec<Case> {
         Case { contact: "--link coupler --point 350,0.1,0 --normal 0,1,0", ..bar("far-point", "", "") },
         bar("drawn-open", "xyz=\"0.4 0.3 0\"", "xyz=\"0.42 0.3 0\""),
         bar("drivers-chosen", " independent=\"true\"", ""),
+        bar(
+            "joint-springs",
+            "<axis xyz=\"0 0 1\"/>",
+            "<axis xyz=\"0 0 1\"/><dynamics damping=\"0\" friction=\"0\" spring_stiffness=\"40\"/>",
+        ),
         bar("inexact-loops", rocker_pin, "<origin xyz=\"-0.25 0.6 0\" rpy=\"1e-6 0 0\"/>"),
         bar("reversed-axis", rocker_pin, "<origin xyz=\"-0.25 0.6 0\" rpy=\"3.141592653589793 0 0\"/>"),
         Case {

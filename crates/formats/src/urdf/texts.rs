@@ -39,7 +39,8 @@ impl<'a> Texts<'a> {
     /// Reads all elements. Relations that cannot be read are removed from `nodes`.
     pub fn read_elements(nodes: &mut Nodes<'a>, report: &mut Report) -> Self {
         let links: Vec<LinkText<'a>> = nodes.links.iter().map(|n| link::read_link(*n, report)).collect();
-        let mut joints: Vec<JointText<'a>> = nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();
+        let mut joints: Vec<JointText<'a>> =
+            nodes.joints.iter().map(|n| joint::read_joint(*n, report)).collect();
         nodes.gears.iter().for_each(|node| joint::read_gear(*node, &mut joints, report));
         let has_gazebo_joints = nodes.closures.iter().chain(&nodes.relations).any(|n| is_gazebo_joint(*n));
         let zero_pose = ZeroPoseFrames::new(if has_gazebo_joints { &joints } else { &[] });

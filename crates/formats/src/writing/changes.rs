@@ -137,7 +137,12 @@ pub(crate) fn common_changes(
     let bushes = mechanism.bushes().iter().filter(|bush| !is_written(bush));
     let gears = mechanism.joints().iter().filter(|joint| !has_gears && joint.gear().is_some());
     let lost_gear = |joint: &Joint| {
-        Change::lost("joint", joint.name(), "elasticity of its gear", "the file has a rigid gear in its place")
+        Change::lost(
+            "joint",
+            joint.name(),
+            "elasticity of its gear",
+            "the file has a rigid gear in its place",
+        )
     };
     names.filter(is_changed).map(change).chain(bushes.map(lost)).chain(gears.map(lost_gear)).collect()
 }

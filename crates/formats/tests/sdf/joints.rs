@@ -14,7 +14,10 @@ use std::f64::consts::{PI, TAU};
 fn springs_of_joints() {
     let dynamics = "<dynamics><damping>0.5</damping><friction>9</friction><spring_reference>0.2</spring_reference>\
                     <spring_stiffness>40</spring_stiffness></dynamics>";
-    let text = model(12, &format!("{}{}", link("a", ""), joint("j", "revolute", "world", "a", &axis("0 1 0", dynamics))));
+    let text = model(
+        12,
+        &format!("{}{}", link("a", ""), joint("j", "revolute", "world", "a", &axis("0 1 0", dynamics))),
+    );
     let loaded = read(&text);
     let spring = loaded.mechanism.joints().iter().find_map(|joint| joint.spring()).expect("a spring");
     assert_eq!((spring.stiffness, spring.damping, spring.reference), (40.0, 0.5, 0.2));

@@ -13,8 +13,8 @@ use crate::time::conditions::{TimeConditions, refuse_grounded_base, spring_force
 use crate::time::equations::{MotionEquations, base_motion, rates_of};
 use crate::time::history::{EnergyBalance, ImpactInTime, ImpactSample, peak_over_time};
 use crate::tolerances::{
-    CORNER_DISTANCE, GOLDEN, LARGEST_TIME_STEP, MOST_TIME_STEPS, NEAR_PEAK, NO_REBOUND, PEAK_PLACE, STEPS_WITHOUT_REBOUND,
-    TIME_STEP_ERROR,
+    CORNER_DISTANCE, GOLDEN, LARGEST_TIME_STEP, MOST_TIME_STEPS, NEAR_PEAK, NO_REBOUND, PEAK_PLACE,
+    STEPS_WITHOUT_REBOUND, TIME_STEP_ERROR,
 };
 use nalgebra::{DVector, Vector3};
 use percuss_dynamics::{Contact, EffectiveMass, LocatedContact, Pose, Workspace, interruption};

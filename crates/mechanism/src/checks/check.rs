@@ -129,8 +129,7 @@ impl Check {
     fn elasticity(&mut self, subject: &Subject, joint: &JointDescription) {
         let spring = joint.spring.unwrap_or_default();
         let gear = joint.gear.unwrap_or(ElasticGear { stiffness: 1.0, damping: 0.0 });
-        let numbers =
-            [spring.stiffness, spring.damping, spring.reference, gear.stiffness, gear.damping];
+        let numbers = [spring.stiffness, spring.damping, spring.reference, gear.stiffness, gear.damping];
         let is_single = joint.kind.dofs() == 1;
         let why = if !self.is_valid(subject, "spring", &numbers) {
             return;

@@ -207,14 +207,18 @@ impl Model {
         rigid: Option<[bool; 6]>,
     ) -> PyResult<Self> {
         let z = Vector3::from(axis).try_normalize(0.0);
-        let z = z.ok_or_else(|| errors::of_argument("axis")(errors::input("the axis is zero; expected a direction")))?;
+        let z = z.ok_or_else(|| {
+            errors::of_argument("axis")(errors::input("the axis is zero; expected a direction"))
+        })?;
         let x = match x_axis {
             Some(given) => {
                 let given = Vector3::from(given);
                 let across = given - z * z.dot(&given);
                 let is_across = across.norm() > ALONG_AXIS * given.norm();
                 across.try_normalize(0.0).filter(|_| is_across).ok_or_else(|| {
-                    errors::of_argument("x_axis")(errors::input("it is zero or along the axis; expected a direction across"))
+                    errors::of_argument("x_axis")(errors::input(
+                        "it is zero or along the axis; expected a direction across",
+                    ))
                 })?
             }
             None => percuss::spatial::plane_basis(&z).0,

@@ -7,7 +7,9 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::thresholds::{LARGEST_COORDINATE, MAX_MASS_RATIO};
 use percuss_formats::{LoadError, inertia_of_shapes};
-use percuss_mechanism::{BuildError, BushDescription, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject};
+use percuss_mechanism::{
+    BuildError, BushDescription, Inertial, Link, LinkDescription, Mechanism, Problem, Severity, Subject,
+};
 use std::collections::BTreeMap;
 use std::sync::Arc;
 

@@ -53,7 +53,8 @@ pub(crate) fn condition_findings(mechanism: &Mechanism, question: &MassQuestion)
                        vibrations";
         found.push(Finding::about_result(FindingKind::GearsRigid, message.to_owned()));
     }
-    let has_spring = |id: &JointId| mechanism.joint(*id).spring().is_some_and(|spring| spring.stiffness > 0.0);
+    let has_spring =
+        |id: &JointId| mechanism.joint(*id).spring().is_some_and(|spring| spring.stiffness > 0.0);
     let sprung: Vec<JointId> = mechanism.joint_ids().filter(has_spring).collect();
     if !sprung.is_empty() {
         let message = format!(

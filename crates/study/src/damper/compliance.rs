@@ -228,7 +228,11 @@ pub(crate) fn gear_elements(evaluated: &EvaluatedQuestion) -> Result<Vec<LinearE
         Ok(LinearElement { damping, ..gear })
     };
     let mut gears = given.iter().enumerate().map(gear).collect::<Result<Vec<_>, _>>()?;
-    gears.extend(model_gears(evaluated).filter(|(name, _)| given.iter().all(|(other, _)| other != name)).map(|found| found.1));
+    gears.extend(
+        model_gears(evaluated)
+            .filter(|(name, _)| given.iter().all(|(other, _)| other != name))
+            .map(|found| found.1),
+    );
     Ok(gears)
 }
 
@@ -273,7 +277,8 @@ pub(crate) fn compliance(
         return Ok((None, None));
     }
     let system = elastic_system(evaluated);
-    let found = system.and_then(|(system, left_out)| Ok((system.residual().map_err(compliance_error)?, left_out)));
+    let found =
+        system.and_then(|(system, left_out)| Ok((system.residual().map_err(compliance_error)?, left_out)));
     match found {
         Ok((found, left_out)) => {
             let soft = Status::classify(found.rigid).1;

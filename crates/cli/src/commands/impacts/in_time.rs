@@ -116,7 +116,8 @@ fn joint_springs(found: &ImpactTimeRecord) -> Option<String> {
     let more = if more > 0 { format!(" and {more} more") } else { String::new() };
     let is_full = springs.iter().any(|spring| spring.force_at_touch != 0.0);
     let force = if is_full { "whole force" } else { "change of the force since the touch" };
-    (!springs.is_empty()).then(|| format!("springs and dampers of joints {}{more} ({force})", names.join(", ")))
+    (!springs.is_empty())
+        .then(|| format!("springs and dampers of joints {}{more} ({force})", names.join(", ")))
 }
 
 /// Tyre with its forces.

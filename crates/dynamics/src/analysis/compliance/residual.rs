@@ -134,8 +134,7 @@ impl ElasticSystem {
         // The geometric stiffness on the motion, compared with the stiffness of the bushes.
         let bushes = self.sum_of_rows(|row| if row.is_rigid { row.stiffness } else { 0.0 });
         let geometric = self.sum_of_rows(|row| if row.is_geometric() { row.stiffness } else { 0.0 });
-        let is_loaded =
-            (geometric * motion).norm() > CLEAR_OF_RIGID_MOTION * bushes.norm() * motion.norm();
+        let is_loaded = (geometric * motion).norm() > CLEAR_OF_RIGID_MOTION * bushes.norm() * motion.norm();
         !is_loaded && !self.rows.iter().any(|row| row.acts() && resists(&row.row))
     }
 

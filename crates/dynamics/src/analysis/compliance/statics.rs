@@ -116,7 +116,11 @@ impl ElasticSystem {
     }
 
     /// Geometric stiffness G over z of the forces at the pose.
-    fn geometric_stiffness(&self, resting: &[Load], held: &[JointId]) -> Result<DMatrix<f64>, ComplianceError> {
+    fn geometric_stiffness(
+        &self,
+        resting: &[Load],
+        held: &[JointId],
+    ) -> Result<DMatrix<f64>, ComplianceError> {
         let is_bush = |row: &ElasticRow| row.number.is_none();
         let applied = |kinematics: &Kinematics, rows: &[ElasticRow]| {
             let mut force = DVector::zeros(self.basis.nrows());
@@ -138,7 +142,8 @@ impl ElasticSystem {
         let carried = split(&bushes, self.contact.len(), self.floor).ok_or(ComplianceError::Decomposition)?;
         // Forces of the drives of held joints.
         let drive_rows = |kinematics: &Kinematics| -> Vec<DVector<f64>> {
-            let element = |joint: &JointId| LinearElement::spring("", ElementMotion::Twist(*joint, None), 0.0);
+            let element =
+                |joint: &JointId| LinearElement::spring("", ElementMotion::Twist(*joint, None), 0.0);
             let row = |joint: &JointId| Some(self.model.element_row(kinematics, (0, &element(joint)))?.row);
             held.iter().filter_map(row).collect()
         };

@@ -329,7 +329,10 @@ impl<'t> Walker<'_, 't, '_> {
             }
             given.first().copied().unwrap_or(0.0)
         });
-        if attributes.numbers::<2>("springdamper", findings).is_some_and(|given| given.iter().all(|x| *x > 0.0)) {
+        if attributes
+            .numbers::<2>("springdamper", findings)
+            .is_some_and(|given| given.iter().all(|x| *x > 0.0))
+        {
             findings.warning(SPRING_LEFT_OUT, element, || {
                 "springdamper: MuJoCo computes stiffness and damping from the masses as drawn, and they are left out; give stiffness and \
                  damping, which mujoco.mj_saveLastXML writes"

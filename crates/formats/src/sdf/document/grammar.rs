@@ -125,6 +125,11 @@ const IN_AXIS: &[ElementRule] = &[
     )
     .single(),
     element("mimic", &[("joint axis", Read)], &[value("multiplier offset reference")]).single(),
-    element("dynamics", &[], &[value("damping spring_stiffness spring_reference"), unread("friction", Silent)]).single(),
+    element(
+        "dynamics",
+        &[],
+        &[value("damping spring_stiffness spring_reference"), unread("friction", Silent)],
+    )
+    .single(),
     unread("initial_position", Silent),
 ];

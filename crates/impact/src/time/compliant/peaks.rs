@@ -75,7 +75,9 @@ impl Quantity {
         };
         let acts = |row: &usize| {
             let force = force(*row);
-            motion.rows[*row].direction != ElasticDirection::Geometric && force.stiffness > 0.0 || force.damping > 0.0 || force.input.is_some()
+            motion.rows[*row].direction != ElasticDirection::Geometric && force.stiffness > 0.0
+                || force.damping > 0.0
+                || force.input.is_some()
         };
         let mut all: Vec<Self> = Vec::new();
         for row in (0..motion.rows.len()).filter(acts) {

@@ -114,10 +114,7 @@ pub(super) fn impact_values(
         name: format!("{start}{contact}"),
         side: "",
         unit,
-        value: found
-            .as_ref()
-            .map_err(Clone::clone)
-            .and_then(value),
+        value: found.as_ref().map_err(Clone::clone).and_then(value),
     };
     let [force, depth, restitution] = CONTACT_IMPACT;
     [

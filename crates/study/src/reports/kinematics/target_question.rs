@@ -4,9 +4,9 @@ use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::kinematics::TargetsQuestion;
+use crate::reports::kinematics::column_names::column_name;
 use crate::values::quantities::{Length, Ratio};
 use crate::values::value::NumberOrText;
-use crate::reports::kinematics::column_names::column_name;
 use percuss_suspension::kinematics::KinematicUnit;
 use percuss_units::{Dimension, LengthUnit, Quantity};
 use std::str::FromStr;
@@ -183,7 +183,9 @@ impl TargetSearch {
             ("targets.restitution", asked.restitution.is_some()),
             ("targets.stiffness", asked.stiffness.is_some()),
         ];
-        if let Some((key, _)) = beside_speed.into_iter().find(|(_, is_given)| *is_given && asked.speed.is_none()) {
+        if let Some((key, _)) =
+            beside_speed.into_iter().find(|(_, is_given)| *is_given && asked.speed.is_none())
+        {
             return Err(InvalidKey::new(key, "it requires `speed`, the closing speed of the contacts"));
         }
         let impact = asked.speed.map(|speed| DampingQuestion {

@@ -131,7 +131,11 @@ impl ActingForces {
             }
             let free_position = (mode == SheetSprings::Full).then_some(spring.reference);
             let SpringDamper { stiffness, damping, .. } = spring;
-            acting.joints.push(JointSpring { damping, free_position, ..twist_spring(joint, None, stiffness) });
+            acting.joints.push(JointSpring {
+                damping,
+                free_position,
+                ..twist_spring(joint, None, stiffness)
+            });
         }
         for drive in &acting.drives {
             match drive.acts {

@@ -17,7 +17,8 @@ use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::in_time::compliant::{CompliantImpactRecord, compliant};
 use crate::reports::impact::in_time::forces::{
-    ActingForces, AntiRollBarRecord, DriveRecord, JointSpringRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
+    ActingForces, AntiRollBarRecord, DriveRecord, JointSpringRecord, PointDamperRecord, PointSpringRecord,
+    TyreRecord,
 };
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::{
