@@ -28,7 +28,7 @@ SHEET = ROOT / "models/suspensions/double-wishbone-bushes.toml"
 # Condition of the stiffness 1e5; with preloads, percuss has second derivatives by differences of fourth order.
 TOLERANCE, PRELOADED = 1e-9, 1e-8
 # Frequencies by the QZ method here: rounding of the largest square.
-FREQUENCY = 1e-8
+FREQUENCY = 1e-9
 BODIES = ["lower", "upper", "upright", "tie"]
 SIZE = 6 * len(BODIES)
 BODY_OF = {"lower_front": "lower", "lower_back": "lower", "upper_front": "upper", "upper_back": "upper", "tie_rod_inner": "tie"}
@@ -144,7 +144,11 @@ def answer(sheet, bushes, spring, held):
         second = second - sum(x * row.second for x, row in zip(f, rows)) - force * length.second - load * lowest.second
         second = second + sum(x * row.second for x, row in zip(reactions, constraints))
     vibrating = {"n": n, "stiffness": second, "geometric": second - (b.T * k) @ b - rate * np.outer(length.gradient, length.gradient),
-                 "rigid": b[moves], "k": k[moves], "height": centre[2].gradient}
+                 "height": centre[2].gradient}
+    # The universal joint of the tie rod holds the rotation about the axis of its bush.
+    held_rows = moves.copy()
+    held_rows[6 * list(bushes).index("tie_rod_inner") + 2] = True
+    vibrating["rigid"], vibrating["k"] = b[held_rows], k[held_rows]
     vibrating["mass"], vibrating["point"] = masses(sheet, at, point, turn)
     flexible = n @ np.linalg.solve(n.T @ second @ n, n.T)
     patch = point("upright", at["wheel_centre"] - [0, 0, radius])
