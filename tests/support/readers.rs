@@ -1,7 +1,9 @@
 //! Readers of files, called with bytes, for the fuzzer and for the tests of its corpus.
 
 use percuss_formats::{FileSystem, LoadOptions, Source, load, read_mesh};
-use percuss_study::{GivenPose, MassQuestion, Model, Normal, PositionFile, RowSource, StudyFile, Sweep};
+use percuss_study::{
+    ContactTable, GivenPose, MassQuestion, Model, PositionFile, RowSource, StudyFile, Sweep,
+};
 use percuss_suspension::{ImportOptions, import};
 use std::ops::ControlFlow;
 use std::path::PathBuf;
@@ -66,11 +68,8 @@ pub fn read(reader: &str, bytes: &[u8]) -> bool {
 /// Reads at most ten rows of positions.
 fn rows(path: &str) -> bool {
     let last = MODEL.mechanism.links().last().expect("a link").name().to_owned();
-    let question = MassQuestion {
-        link: last,
-        normal: Normal::Along([1.0, 0.0, 0.0]),
-        ..MassQuestion::without_contact()
-    };
+    let contact = ContactTable::at_point(last, [0.0; 3], [1.0, 0.0, 0.0]);
+    let question = MassQuestion { contact, ..MassQuestion::default() };
     let file = PositionFile { path: path.to_owned(), ignore: Vec::new(), max_size: LARGEST };
     let Ok(sweep) = Sweep::new(&MODEL, &question, RowSource::File(file)) else { return false };
     let mut left = 10;

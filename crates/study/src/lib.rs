@@ -60,7 +60,7 @@ pub use question::errors::question_error::{Fault, StudyError};
 pub use question::errors::refusal::InvalidKey;
 pub use question::errors::table_error::{TableError, TableFault};
 pub use question::field::{Field, Names};
-pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint, UPWARDS};
+pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, RatioPoint, UPWARDS};
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
 pub use question::spelled_contact::{FurtherContact, JointStop, StopEnd, StopRecord, contact_of_text};

@@ -5,9 +5,8 @@
 //!
 //! A depth of r or more is unreachable, because the pendulum is then at a dead centre.
 
-use percuss_dynamics::Frame;
 use percuss_formats::{LoadOptions, Source};
-use percuss_study::{DampingQuestion, MassQuestion, Model, Normal, damp_contact};
+use percuss_study::{ContactTable, DampingQuestion, FrameName, MassQuestion, Model, damp_contact};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
 const PENDULUMS: u64 = 40;
@@ -34,13 +33,11 @@ fn drift(radius: f64, part: f64, slide: bool) -> (Option<f64>, Option<f64>, bool
     );
     let model =
         Model::from_source(&Source::from_text("p.urdf", text), &LoadOptions::default()).expect("a pendulum");
-    let question = MassQuestion {
-        link: "rod".into(),
-        point: [0.0, 0.0, -radius],
-        normal: Normal::Along([1.0, 0.0, 0.0]),
-        normal_frame: Frame::World,
-        ..MassQuestion::without_contact()
+    let contact = ContactTable {
+        normal_frame: Some(FrameName::World),
+        ..ContactTable::at_point("rod", [0.0, 0.0, -radius], [1.0, 0.0, 0.0])
     };
+    let question = MassQuestion { contact, ..MassQuestion::default() };
     let mass = 0.6;
     // Without energy loss the maximum penetration is v √(m/k).
     let damping = DampingQuestion {

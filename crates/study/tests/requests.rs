@@ -1,7 +1,7 @@
 //! Requests about a model in memory.
 
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source};
-use percuss_study::{Changes, CodeQuestion, LanguageName, MassQuestion, Model, Normal};
+use percuss_study::{Changes, CodeQuestion, ContactTable, LanguageName, MassQuestion, Model};
 use percuss_study::{ask, check, explain, generate_code, study_keys, study_schema};
 use serde_json::{Value, json};
 use std::collections::BTreeSet;
@@ -49,12 +49,8 @@ fn every_question_has_its_key_in_the_report() {
     }
     let same = |key: &str, other: Value| assert_eq!(report[key], other, "{key}");
     same("check", serde_json::to_value(check(&model).expect("contents")).expect("JSON"));
-    let question = MassQuestion {
-        link: "rod".into(),
-        point: [0.0, 0.0, -0.8],
-        normal: Normal::Along([1.0, 0.0, 0.0]),
-        ..MassQuestion::without_contact()
-    };
+    let contact = ContactTable::at_point("rod", [0.0, 0.0, -0.8], [1.0, 0.0, 0.0]);
+    let question = MassQuestion { contact, ..MassQuestion::default() };
     let explanation = explain(&model, &question).expect("a finite mass");
     assert_eq!(report["mass"]["explanation"], serde_json::to_value(explanation).expect("JSON"));
     let code = CodeQuestion { language: LanguageName::Rust, gradient: true, ..CodeQuestion::default() };

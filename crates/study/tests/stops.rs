@@ -11,7 +11,8 @@ use percuss_oracle::linkage::{Linkage, four_bar_of, slider_crank_of};
 use percuss_oracle::maximal::{self, Outcome, Question};
 use percuss_oracle::random;
 use percuss_study::{
-    DampingQuestion, GivenPosition, JointStop, MassQuestion, Model, StopEnd, damp_stop, mass, pose_at_stop,
+    DampingQuestion, GivenPosition, JointStop, MassQuestion, Model, PoseTable, StopEnd, damp_stop, mass,
+    pose_at_stop,
 };
 use percuss_suspension::{TemplateOptions, template_sheet};
 use rand::{Rng, SeedableRng, rngs::StdRng};
@@ -85,6 +86,11 @@ fn positions_of(model: &Model, question: &MassQuestion) -> Vec<Vec<f64>> {
     positions
 }
 
+/// Question with positions and guesses of joints.
+fn posed(set: Vec<(String, GivenPosition)>, guess: Vec<(String, GivenPosition)>) -> MassQuestion {
+    MassQuestion { pose: PoseTable { set, guess, ..PoseTable::default() }, ..MassQuestion::default() }
+}
+
 fn set(name: &str, numbers: &[f64]) -> (String, GivenPosition) {
     (name.to_owned(), GivenPosition::from_numbers(numbers).expect("a position"))
 }
@@ -146,7 +152,7 @@ fn trees_of_all_joints() {
                 .collect();
             for stop in ends(joint.name()) {
                 let case = format!("tree {number}, {stop:?}");
-                let conditions = MassQuestion { set: others.clone(), ..MassQuestion::without_contact() };
+                let conditions = posed(others.clone(), Vec::new());
                 if compare(&mut rng, &model, &stop, conditions, &case) {
                     *if joint.kind() == JointKind::Prismatic { &mut slides } else { &mut turns } += 1;
                 }
@@ -173,12 +179,12 @@ fn stopped(rng: &mut StdRng, linkage: &Linkage, follower: &str, case: &str) -> u
     let guess: Vec<_> = others.map(|(name, numbers)| set(name, numbers)).collect();
     let mut compared = 0;
     for stop in ends("crank_hinge") {
-        let conditions = MassQuestion { guess: guess.clone(), ..MassQuestion::without_contact() };
+        let conditions = posed(Vec::new(), guess.clone());
         compared += usize::from(compare(rng, &model, &stop, conditions, &format!("{case}, {stop:?}")));
     }
     let stop = JointStop { joint: follower.to_owned(), end: None };
     let at = vec![set("crank_hinge", &[rng.random_range(limits.lower..limits.upper)])];
-    let conditions = MassQuestion { set: at, guess, ..MassQuestion::without_contact() };
+    let conditions = posed(at, guess);
     compared + usize::from(compare(rng, &model, &stop, conditions, &format!("{case}, {stop:?}")))
 }
 
@@ -222,7 +228,7 @@ fn the_pose_at_a_stop_is_that_of_the_question() {
         for stop in
             model.mechanism.contacts().iter().filter(|contact| contact.gap().is_some_and(|gap| gap > 0.0))
         {
-            let question = MassQuestion { at: Some(stop.name().into()), ..MassQuestion::without_contact() };
+            let question = MassQuestion::default().at_contact(stop.name());
             let expected = mass(&model, &question).expect("a touch");
             let (touch, contact) =
                 pose_at_stop(&system, &system.configuration(), stop.name()).expect("a touch");

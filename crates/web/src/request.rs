@@ -155,8 +155,7 @@ impl QuestionRequest {
     /// Combines the pose, conditions and held points of the request with the given contact.
     fn with_contact(&self, contact: &ContactTable) -> Result<MassQuestion, String> {
         let Self { pose, conditions, hold, .. } = self;
-        contact
-            .question(pose, conditions, hold, Path::new(""), DEFAULT_MAX_SIZE, Names::KEYS)
-            .map_err(|error| error.message(Names::KEYS))
+        let question = MassQuestion::of_tables(contact, pose, conditions, hold, Names::KEYS);
+        question.checked(Path::new(""), DEFAULT_MAX_SIZE).map_err(|error| error.message(Names::KEYS))
     }
 }

@@ -304,7 +304,7 @@ impl Session {
             ..ConditionsTable::default()
         };
         let contacts = (!model.mechanism.contacts().is_empty())
-            .then(|| contact_list(&model, &MassQuestion::without_contact(), None))
+            .then(|| contact_list(&model, &MassQuestion::default(), None))
             .transpose()?;
         let shapes = with_shapes.then(|| scene_shapes(&model));
         let diagnostics = model.diagnostics.clone();
@@ -388,9 +388,12 @@ fn curve(model: &Model, question: &MassQuestion, vary: &str) -> Result<Curve, Re
     let vary = Vary::parse(vary).map_err(|error| Refusal::of_message(error.to_string()))?;
     let name = vary.name();
     let mut question = question.clone();
-    question.set.retain(|(joint, _)| *joint != name);
+    question.pose.set.retain(|(joint, _)| *joint != name);
     let varied = WheelMotion::from_name(&name).map(Moved::Wheels);
-    question.travel.retain(|travel| varied.as_ref().is_some_and(|varied| travel.moved.is_beside(varied)));
+    question
+        .pose
+        .travel
+        .retain(|travel| varied.as_ref().is_some_and(|varied| travel.moved.is_beside(varied)));
     let report = sweep_report(model, &question, RowSource::Grid(vec![vary]))?;
     let unit = report.heading.varied.first().map_or("", |column| column.unit.si_unit());
     let row = |row: percuss_study::SweepRow| CurveRow {

@@ -3,8 +3,8 @@
 use base64::Engine;
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
 use percuss_study::{
-    Changes, DampingQuestion, KinematicVariable, KinematicsQuestion, MassQuestion, Model, WheelMotion,
-    damp_contact, kinematics, mass,
+    Changes, ContactTable, DampingQuestion, KinematicVariable, KinematicsQuestion, MassQuestion, Model,
+    WheelMotion, damp_contact, kinematics, mass,
 };
 use percuss_web::{Session, percuss_answer, percuss_reply, percuss_request};
 use serde_json::{Value, json};
@@ -77,21 +77,16 @@ fn every_shipped_model_has_the_mass_of_the_library() {
         let model = Model::load(&path.to_string_lossy(), DEFAULT_MAX_SIZE, &LoadOptions::default()).unwrap();
         let contact = &report["contact"];
         let triple = |key: &str| [0, 1, 2].map(|i| contact[key][i].as_f64().unwrap());
-        let native = MassQuestion {
-            at: opened["contact"]["at"].as_str().map(str::to_owned),
-            link: opened["contact"]["link"].as_str().unwrap_or_default().to_owned(),
-            point: if opened["contact"]["at"].is_null() { triple("point_link") } else { [0.0; 3] },
-            normal: match opened["contact"]["at"].is_null() {
-                true => percuss_study::Normal::Along(triple("normal_link")),
-                false => MassQuestion::without_contact().normal,
-            },
-            base: if report["conditions"]["base"] == "floating" {
-                percuss_study::BaseName::Floating.into()
-            } else {
-                percuss_study::BaseName::Fixed.into()
-            },
-            ..MassQuestion::without_contact()
+        let mut native = match opened["contact"]["at"].as_str() {
+            Some(name) => MassQuestion::default().at_contact(name),
+            None => {
+                let link = opened["contact"]["link"].as_str().expect("a link");
+                let contact = ContactTable::at_point(link, triple("point_link"), triple("normal_link"));
+                MassQuestion { contact, ..MassQuestion::default() }
+            }
         };
+        let is_floating = report["conditions"]["base"] == "floating";
+        native.conditions.base = is_floating.then_some(percuss_study::BaseName::Floating);
         let expected = mass(&model, &native).unwrap();
         assert_eq!(report["effective_mass"].as_f64(), expected.effective_mass, "{}", path.display());
         assert_eq!(report["status"], json!(expected.status), "{}", path.display());
@@ -164,7 +159,7 @@ fn a_moved_hardpoint_gives_the_mass_of_the_moved_design() {
     let moved = model
         .with_changes(&Changes { moves: vec![("lower_ball".into(), shift)], ..Changes::default() })
         .unwrap();
-    let question = MassQuestion { at: Some("spring".into()), ..MassQuestion::without_contact() };
+    let question = MassQuestion::default().at_contact("spring");
     let expected = mass(&moved, &question).unwrap().effective_mass;
     assert_eq!(reply["ok"]["result"]["ok"]["report"]["effective_mass"].as_f64(), expected);
     assert!(reply["ok"]["scene"].is_object(), "the scene has changed");
@@ -216,7 +211,7 @@ fn further_results_are_those_of_the_library() {
             ..Changes::default()
         })
         .unwrap();
-    let native = MassQuestion { at: Some("spring".into()), ..MassQuestion::without_contact() };
+    let native = MassQuestion::default().at_contact("spring");
     let m = mass(&model, &native).unwrap().effective_mass.unwrap();
     let damping = json!({ "restitution": 0.3, "stiffness": "200 N/mm", "speed": 1.0, "for": "mujoco" });
     let reply = ask(&mut session, &json!({ "do": "damp", "question": question, "damping": damping }));
@@ -508,7 +503,7 @@ fn contacts_and_sensitivities_are_those_of_the_changed_design() {
     let moved = masses(&mut session, json!({ "bump_stop_pad": [0.0, 0.002, 0.0] }));
     let model = Model::load(&path.to_string_lossy(), DEFAULT_MAX_SIZE, &LoadOptions::default()).unwrap();
     let changes = Changes { moves: vec![("bump_stop_pad".into(), [0.0, 0.002, 0.0])], ..Changes::default() };
-    let native = MassQuestion { at: Some("bump_stop".into()), ..MassQuestion::without_contact() };
+    let native = MassQuestion::default().at_contact("bump_stop");
     let expected = mass(&model.with_changes(&changes).unwrap(), &native).unwrap().effective_mass;
     assert_eq!(Some(moved[0]), expected);
     assert!(moved.len() == first.len() && moved.len() > 4 && first[0] > moved[0] + 1.0, "{first:?}");

@@ -113,14 +113,13 @@ impl ContactArgs {
     /// Converts the flags to a question; link, point and normal may be missing.
     pub fn conditions(&self) -> Result<MassQuestion, Failure> {
         let Self { contact, pose, conditions, hold, .. } = self;
-        let folder = Path::new("");
-        let mut question =
-            contact.question(pose, conditions, hold, folder, DEFAULT_MAX_SIZE, Names::Flags)?;
+        let question = MassQuestion::of_tables(contact, pose, conditions, hold, Names::Flags);
+        let mut question = question.checked(Path::new(""), DEFAULT_MAX_SIZE)?;
         if let Some(text) = self.steer.as_ref().filter(|text| !text.contains(':')) {
             let position = text.parse().map_err(|error| Failure::bad_input(format!("--steer: {error}")))?;
-            question.set.push((RACK.to_owned(), position));
+            question.pose.set.push((RACK.to_owned(), position));
         }
-        question.travel.extend(self.wheel_travels()?);
+        question.pose.travel.extend(self.wheel_travels()?);
         Ok(question)
     }
 }

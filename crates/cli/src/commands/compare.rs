@@ -18,8 +18,8 @@ use crate::terminal::text::{Table, TableCell};
 use crate::terminal::units::varied_name;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Style};
 use percuss_study::{
-    AxisLimits, CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, MassQuestion, Model,
-    Names, RowSource, StudyFigure, StudyFile, WheelMotion, compare, contact_names,
+    AxisLimits, CompareError, ComparisonReport, ComparisonRow, ContactTable, Design, DesignRecord,
+    MassQuestion, Model, Names, RowSource, StudyFigure, StudyFile, WheelMotion, compare, contact_names,
 };
 use percuss_suspension::LengthUnit;
 use std::fmt::Display;
@@ -119,7 +119,7 @@ fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
     let stem = |path: &String| Path::new(path).file_stem().map(|stem| stem.to_string_lossy().into_owned());
     let names = args.designs.iter().map(|path| stem(path).unwrap_or_else(|| path.clone()));
     for (model, name) in models.iter().zip(distinct_names(names, &args.designs)) {
-        let contacts = contacts(question.at.as_deref(), model)?;
+        let contacts = contacts(question.contact.at.as_deref(), model)?;
         let several = contacts.len() > 1;
         for at in contacts {
             let name = match &at {
@@ -128,7 +128,8 @@ fn designs_of_models(args: &CompareArgs) -> Result<Vec<Design>, Failure> {
                 _ => name.clone(),
             };
             let contact = at.clone().filter(|_| several);
-            let question = MassQuestion { at, ..question.clone() };
+            let table = ContactTable { at, ..question.contact.clone() };
+            let question = MassQuestion { contact: table, ..question.clone() };
             designs.push(Design { name, model: model.clone(), question, contact, rows: rows.clone() });
         }
     }

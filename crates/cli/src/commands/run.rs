@@ -73,7 +73,7 @@ fn run_study(study: &StudyFile, args: &RunArgs, outputs: &[(&'static str, String
 fn input_files(study: &StudyFile) -> impl Iterator<Item = String> + '_ {
     let models = [&study.model].into_iter().chain(study.variants.iter().map(|variant| &variant.model));
     let of_models = models.flat_map(|model| &model.inputs).map(|input| input.path.clone());
-    let poses = study.conditions.pose.iter().map(|pose| pose.input.path.clone());
+    let poses = study.conditions.positions.iter().map(|pose| pose.input.path.clone());
     let rows = study.tables.sweep.iter().map(SweepQuestion::rows);
     let rows = rows.chain(study.tables.safe_speed.iter().filter_map(|requested| requested.rows()));
     let rows = rows.chain(study.tables.extremes.iter().filter_map(|requested| requested.rows()));

@@ -43,7 +43,8 @@ pub fn requested_figure(requested: &StudyFigure, own_title: &str) -> Figure {
 
 /// Legend of the estimate.
 fn estimate_name(question: &MassQuestion) -> String {
-    let links = question.estimate.as_ref().map_or_else(String::new, |estimate| estimate.links.join(" + "));
+    let links =
+        question.contact.estimate.as_ref().map_or_else(String::new, |estimate| estimate.links.join(" + "));
     format!("estimate: mass of {links} / (motion ratio)²")
 }
 

@@ -5,8 +5,8 @@ use crate::analysis::pose::Pose;
 use crate::conversion::errors::{input, of_argument};
 use percuss::study::{
     ConditionsTable, ContactTable, DampingQuestion, ExtremesQuestion, GivenPose, Hold, ImpactQuestion,
-    InvalidKey, MapQuestion, MassOptions, MassQuestion, Names, Normal, PoseTable, RowSource,
-    SafeSpeedQuestion, SweepQuestion, VehicleData,
+    InvalidKey, MapQuestion, MassOptions, MassQuestion, Names, PoseTable, RowSource, SafeSpeedQuestion,
+    SweepQuestion, VehicleData,
 };
 use percuss::{DEFAULT_MAX_SIZE, Mechanism};
 use pyo3::prelude::*;
@@ -112,27 +112,18 @@ impl Request<'_> {
         if let Some(GivenContact::Named(name)) = &self.contact {
             contact.at = Some(name.clone());
         }
-        let mut question = contact
-            .question(pose, conditions, hold, Path::new(""), DEFAULT_MAX_SIZE, Names::Fields)
-            .map_err(invalid)?;
+        let question = MassQuestion::of_tables(&contact, pose, conditions, hold, Names::Fields);
+        let mut question = question.checked(Path::new(""), DEFAULT_MAX_SIZE).map_err(invalid)?;
         if let Some(pose) = &self.pose {
-            question.pose = Some(positions_of(pose)?);
+            question.positions = Some(positions_of(pose)?);
         }
         let Some(GivenContact::Contact(given)) = &self.contact else { return Ok(question) };
         let resolved = given.get().resolve(mechanism)?;
-        let name = |link| mechanism.link(link).name().to_owned();
-        if resolved.against.is_some() && question.against_mass.is_some() {
+        if resolved.against.is_some() && question.contact.against_mass.is_some() {
             return Err(input("give one of against and against_mass"));
         }
-        let (normal, normal_frame) = Normal::of_direction(resolved.normal, name);
-        Ok(MassQuestion {
-            link: given.get().link.clone(),
-            point: resolved.point.into(),
-            normal,
-            normal_frame,
-            against: resolved.against.map(name),
-            ..question
-        })
+        let contact = question.contact.with_contact(&resolved, mechanism);
+        Ok(MassQuestion { contact, ..question })
     }
 
     /// Damper; `None` if no damper is given.

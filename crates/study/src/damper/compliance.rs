@@ -194,7 +194,7 @@ pub(crate) fn compliance_error(error: ComplianceError) -> StudyError {
 /// question removes, has no effect.
 pub(crate) fn gear_elements(evaluated: &EvaluatedQuestion) -> Result<Vec<LinearElement>, StudyError> {
     let EvaluatedQuestion { prepared, pose, .. } = evaluated;
-    let given = &prepared.question.gear_stiffness;
+    let given = &prepared.question.conditions.gear_stiffness;
     let gear = |(number, (name, gear)): (usize, &(String, GivenSpring))| {
         let refuse = |why: String| Err(StudyError::input(Field::GearStiffness, why));
         if given[..number].iter().any(|(earlier, _)| earlier == name) {

@@ -320,13 +320,13 @@ fn options(given: Options, evaluated: &EvaluatedQuestion, mass: f64) -> Options 
         let ours = spanning_tree_inverse_mass(mechanism, question, link)?;
         let other =
             against.map_or(Some(0.0), |other| spanning_tree_inverse_mass(mechanism, question, other))?;
-        let free = question.against_mass.map_or(0.0, |other| 1.0 / other);
+        let free = question.contact.against_mass().map_or(0.0, |other| 1.0 / other);
         Some((ours + other + free) * mass).filter(|ratio| *ratio > 0.0)
     };
     // A joint stop has an inertia instead of a mass.
     let free = || {
         let free = evaluated.pose.free_body_mass(&evaluated.contact).filter(|_| given.stop.is_none())?;
-        Some(question.against_mass.map_or(free, |other| free * other / (free + other)))
+        Some(question.contact.against_mass().map_or(free, |other| free * other / (free + other)))
     };
     // Parts that simulators enforce by constraints: mimics, couplings, locks, held contacts and loop closures.
     let follows = |joint: &percuss_mechanism::Joint| joint.mimic().is_some();
@@ -334,11 +334,14 @@ fn options(given: Options, evaluated: &EvaluatedQuestion, mass: f64) -> Options 
     let constrained = closed_loops
         || !mechanism.couplings().is_empty()
         || mechanism.joints().iter().any(follows)
-        || !question.lock.is_empty()
+        || !question.conditions.lock.is_empty()
         || !question.hold.is_empty();
     Options {
         own_mass: given.own_mass.or_else(|| own(link)),
-        other_own_mass: given.other_own_mass.or(question.against_mass).or_else(|| against.and_then(own)),
+        other_own_mass: given
+            .other_own_mass
+            .or(question.contact.against_mass())
+            .or_else(|| against.and_then(own)),
         diagonal_ratio: given.diagonal_ratio.or_else(ratio),
         constrained: given.constrained || constrained,
         closed_loops: given.closed_loops || closed_loops,
@@ -387,8 +390,8 @@ fn spanning_tree_inverse_mass(mechanism: &Mechanism, question: &MassQuestion, li
 /// Spanning tree of the mechanism without its constraints.
 fn spanning_tree_system(mechanism: &Mechanism, question: &MassQuestion) -> Option<System> {
     let tree = mechanism.to_open_tree().build().ok()?.mechanism;
-    let mut conditions = Conditions::new().base(question.base);
-    for (joint, values) in &question.armature {
+    let mut conditions = Conditions::new().base(question.conditions.base());
+    for (joint, values) in &question.conditions.armature {
         conditions = conditions.armature(joint.clone(), values.clone());
     }
     System::new(tree, &conditions).ok()

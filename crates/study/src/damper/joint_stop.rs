@@ -3,11 +3,12 @@
 use crate::model::loading::Model;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
-use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::{JointStop, StopEnd, StopRecord, stop_motion};
+use crate::question::tables::contact::ContactTable;
 use crate::values::position::GivenPosition;
 use percuss_contact::exports::StopMotion;
-use percuss_dynamics::{Contact, Frame};
+use percuss_dynamics::Contact;
 use percuss_mechanism::{Joint, JointId, Mechanism};
 
 impl JointStop {
@@ -17,8 +18,9 @@ impl JointStop {
         mechanism: &Mechanism,
     ) -> Option<(Self, MassQuestion)> {
         question.stop_of_joint(mechanism)?;
-        let stop = question.at.as_ref()?.parse().ok()?;
-        Some((stop, MassQuestion { at: None, ..question.clone() }))
+        let stop = question.contact.at.as_ref()?.parse().ok()?;
+        let contact = ContactTable { at: None, ..question.contact.clone() };
+        Some((stop, MassQuestion { contact, ..question.clone() }))
     }
 
     /// Motion of the joint into the stop.
@@ -58,26 +60,16 @@ impl JointStop {
         let (id, joint, motion) = self.find(model)?;
         let contact = Contact::joint_stop(mechanism, id, self.end != Some(StopEnd::Lower));
         let contact = contact.ok_or_else(|| self.no_stop(joint))?;
-        let (normal, normal_frame) =
-            Normal::of_direction(contact.normal, |id| mechanism.link(id).name().to_owned());
-        let link = |id| mechanism.link(id).name().to_owned();
-        let mut question = MassQuestion {
-            link: link(joint.child()),
-            point: contact.point.into(),
-            normal,
-            frame: Frame::Link,
-            normal_frame,
-            against: Some(link(joint.parent())),
-            against_mass: None,
-            ..conditions
-        };
-        if let Some(end) = self.end.filter(|_| !question.set.iter().any(|(name, _)| *name == self.joint)) {
+        let given = ContactTable { against_mass: None, ..conditions.contact.clone() };
+        let mut question = MassQuestion { contact: given.with_contact(&contact, mechanism), ..conditions };
+        if let Some(end) = self.end.filter(|_| !question.pose.set.iter().any(|(name, _)| *name == self.joint))
+        {
             let limits =
                 joint.limits().ok_or_else(|| refuse(Fault::NoLimit { joint: self.joint.clone() }))?;
             let at = if end == StopEnd::Lower { limits.lower } else { limits.upper };
             let position = GivenPosition::from_numbers(&[at]);
             let wrong = |source| refuse(Fault::Position { joint: self.joint.clone(), source });
-            question.set.push((self.joint.clone(), position.map_err(wrong)?));
+            question.pose.set.push((self.joint.clone(), position.map_err(wrong)?));
         }
         Ok((question, StopRecord { joint: self.joint.clone(), motion }))
     }

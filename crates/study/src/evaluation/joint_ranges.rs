@@ -71,8 +71,9 @@ pub(crate) fn ranges(
 ) -> Result<Vec<JointRange>, StudyError> {
     let mechanism = &prepared.model.mechanism;
     // With kept links or points, the given positions only define where these stay.
-    let is_set =
-        |name: &str| question.keep.is_empty() && prepared.question.set.iter().any(|(joint, _)| joint == name);
+    let is_set = |name: &str| {
+        question.keep.is_empty() && prepared.question.pose.set.iter().any(|(joint, _)| joint == name)
+    };
     if question.range.is_empty() {
         let mut drivers = driving_joints(pose);
         drivers.retain(|joint| !is_set(mechanism.joint(*joint).name()));

@@ -64,7 +64,7 @@ pub(crate) fn requested_ratios(
 /// between both motions in the metric of M.
 pub(crate) fn wheel_ratios(evaluated: &EvaluatedQuestion) -> Vec<MotionRatioRecord> {
     let mechanism = &evaluated.prepared.model.mechanism;
-    let wheels = wheel_points(mechanism, &evaluated.prepared.question.link);
+    let wheels = wheel_points(mechanism, &evaluated.prepared.question.contact.link());
     let of_wheels = |pose: &Pose, response: &ContactResponse| -> Vec<MotionRatioRecord> {
         let ratio = |link| ratio(pose, response, link, Vector3::zeros(), Vector3::z());
         wheels.iter().filter_map(|link| ratio(*link)).filter(|ratio| ratio.one_travel).collect()
@@ -88,7 +88,7 @@ fn with_rack_held(evaluated: &EvaluatedQuestion) -> Option<(Pose, ContactRespons
     let rack = sliding_rack(mechanism).filter(|rack| !pose.is_locked(*rack))?;
     let name = mechanism.joint(rack).name().to_owned();
     let mut question = prepared.question.clone().into_owned();
-    question.lock.push(name.clone());
+    question.conditions.lock.push(name.clone());
     let system = compile(mechanism, &question, None).ok()?;
     let mut positions = Configuration::from_positions(mechanism, pose.positions()).ok()?;
     positions.set_base(*pose.base());

@@ -7,6 +7,7 @@ use crate::evaluation::named_contact::{NamedContactRecord, named_contact_finding
 use crate::evaluation::prepared_question::{EvaluatedQuestion, PreparedQuestion};
 use crate::model::loading::Model;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::contact::PoseTable;
 use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::thresholds::PASSED_STOP;
 use percuss_dynamics::{Gap, Pose};
@@ -39,7 +40,7 @@ struct LimitedStop<'a> {
 
 /// Findings about the stops that the travels of a question pass.
 pub(crate) fn passed_stop_findings(prepared: &PreparedQuestion, pose: &Pose) -> Vec<Finding> {
-    let moved = prepared.question.travel.iter().map(|travel| &travel.moved);
+    let moved = prepared.question.pose.travel.iter().map(|travel| &travel.moved);
     PassedStops::of_travels(prepared, moved).map_or_else(Vec::new, |stops| stops.findings(pose))
 }
 
@@ -93,7 +94,10 @@ impl<'a> PassedStops<'a> {
         });
         Some(Self {
             model: prepared.model,
-            question: MassQuestion { travel: Vec::new(), ..prepared.question.clone().into_owned() },
+            question: MassQuestion {
+                pose: PoseTable { travel: Vec::new(), ..prepared.question.pose.clone() },
+                ..prepared.question.clone().into_owned()
+            },
             has_one_motion: has_one_motion || drawn.degrees_of_freedom() == 1,
             stops: stops.collect(),
             drawn,
@@ -109,7 +113,7 @@ impl<'a> PassedStops<'a> {
     /// joints; the first state is that at the touch.
     pub fn reached<'m>(&self, states: impl Iterator<Item = (f64, &'m [f64])> + Clone) -> Vec<Finding> {
         let others =
-            self.stops.iter().filter(|stop| self.question.at.as_deref() != Some(stop.contact.name()));
+            self.stops.iter().filter(|stop| self.question.contact.at.as_deref() != Some(stop.contact.name()));
         let reached = others.filter_map(|stop| {
             let gaps = states.clone().map(|(time, positions)| (time, stop.gap.at_positions(&self.drawn, positions)));
             let (time, _) = gaps.clone().find(|(_, gap)| *gap < -PASSED_STOP)?;
@@ -149,7 +153,7 @@ impl<'a> PassedStops<'a> {
             let subject = FindingSubject::Contact(stop.number);
             let finding = Finding::new(FindingKind::StopPassed, subject, message);
             // A question about this stop states the penetration as its result.
-            if self.question.at.as_deref() == Some(name) { finding.into_note() } else { finding }
+            if self.question.contact.at.as_deref() == Some(name) { finding.into_note() } else { finding }
         };
         passed.map(finding).collect()
     }
@@ -159,7 +163,7 @@ impl<'a> PassedStops<'a> {
         if !self.has_one_motion {
             return None;
         }
-        let question = MassQuestion { pose: None, ..self.question.at_contact(name) };
+        let question = MassQuestion { positions: None, ..self.question.at_contact(name) };
         let prepared = PreparedQuestion::new(self.model, &question).ok()?;
         let pose = prepared.pose().ok()?;
         Some(wheel_travels(&prepared, &pose, name).first()?.travel)

@@ -15,7 +15,7 @@ use crate::pose::pose_solver;
 use crate::pose::touch::StopOfJoint;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::{Field, Names};
-use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::mass_question::MassQuestion;
 use crate::question::pose_file::{GivenPose, GivenPoseError};
 use crate::thresholds::LEAST_OTHER_MASS;
 use crate::values::position::GivenPosition;
@@ -93,49 +93,40 @@ impl<'a> PreparedQuestion<'a> {
         let mechanism = &model.mechanism;
         let mut resolved = question.resolve_contact(mechanism)?;
         let refuse = |error: GivenPoseError| StudyError::input(Field::Pose, error);
-        let pose = question.pose.as_ref().map(|pose| pose.resolve(model)).transpose().map_err(refuse)?;
+        let pose = question.positions.as_ref().map(|pose| pose.resolve(model)).transpose().map_err(refuse)?;
         if let Some(pose) = pose.flatten() {
-            resolved.to_mut().pose = Some(pose);
+            resolved.to_mut().positions = Some(pose);
         }
         let question = &*resolved;
         let find = |field: Field, name: &str| {
             mechanism.find_link(name).map_err(|error| StudyError::input(field, error))
         };
-        let link = find(Field::Link, &question.link)?;
-        let against = match &question.against {
+        let link = find(Field::Link, question.contact.link())?;
+        let against = match &question.contact.against {
             Some(name) => {
                 other_side(mechanism, name).map_err(|error| StudyError::input(Field::Against, error))?
             }
             None => None,
         };
-        let normal = match &question.normal {
-            Normal::Along(normal) => Direction::Along(Vector3::from(*normal), question.normal_frame),
-            Normal::About(axis) => Direction::About(Vector3::from(*axis), question.normal_frame),
-            Normal::Toward(name, point) => {
-                Direction::Toward(find(Field::AlongLine, name)?, Vector3::from(*point))
-            }
-            Normal::TurningToward(name, point) => {
-                Direction::TurningToward(find(Field::AlongLine, name)?, Vector3::from(*point))
-            }
-            Normal::TurningAwayFrom(name, point) => {
-                Direction::TurningAwayFrom(find(Field::AlongLine, name)?, Vector3::from(*point))
-            }
-        };
-        if let Some(mass) = question.against_mass.filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS)) {
+        let normal = question.contact.direction(mechanism)?;
+        if let Some(mass) =
+            question.contact.against_mass().filter(|m| !(m.is_finite() && *m > LEAST_OTHER_MASS))
+        {
             let why = format!(
                 "the other body's mass is {mass:e} kg; expected a finite number above 0 ({LEAST_OTHER_MASS:e} at least)"
             );
             return Err(StudyError::input(Field::AgainstMass, why));
         }
-        if let Some(mass) = question.against_mass.filter(|_| normal.is_moment()) {
+        if let Some(mass) = question.contact.against_mass().filter(|_| normal.is_moment()) {
             return Err(StudyError::input(Field::AgainstMass, ContactError::MassOfMoment { mass }));
         }
-        if question.estimate.is_some() {
+        if question.contact.estimate.is_some() {
             question.refuse_moment("classical estimate")?;
         }
         let compile = |skipped| compile(mechanism, question, skipped);
         let system = compile(None)?;
-        let estimate = question.estimate.as_ref().map(|e| PreparedEstimate::new(mechanism, e)).transpose()?;
+        let estimate =
+            question.contact.estimate.as_ref().map(|e| PreparedEstimate::new(mechanism, e)).transpose()?;
         let mut held = Vec::new();
         for (number, hold) in question.hold.iter().enumerate() {
             if let Some(normal) = hold.normal {
@@ -172,7 +163,7 @@ impl<'a> PreparedQuestion<'a> {
 
     /// Mass of a free body on the other side, kg.
     pub fn other_mass(&self) -> Option<f64> {
-        self.question.against_mass
+        self.question.contact.against_mass()
     }
 
     /// True if only m̄ of the mechanism alone is required, at a point of the link: no estimate, no held contact, no free
@@ -191,16 +182,17 @@ impl<'a> PreparedQuestion<'a> {
 
     /// True if the contact point is given in the frame of the contact link; the conversion then needs no pose.
     pub fn point_is_in_link(&self) -> bool {
-        self.question.frame == Frame::Link
+        self.question.contact.frame() == Frame::Link
     }
 
     /// Contact at a pose. A point given in another frame is converted to the frame of the contact link at this
     /// pose and is fixed to the link from then on. A contact patch is the lowest point of its wheel.
     pub fn contact_at(&self, pose: &Pose) -> Contact {
-        let given = Vector3::from(self.question.point);
+        let given = Vector3::from(self.question.contact.point());
         let lowest = self.wheel.as_ref().and_then(|wheel| wheel.at(pose));
-        let point =
-            lowest.unwrap_or_else(|| pose.point_in_link(self.link, self.against, self.question.frame, given));
+        let point = lowest.unwrap_or_else(|| {
+            pose.point_in_link(self.link, self.against, self.question.contact.frame(), given)
+        });
         Contact { link: self.link, against: self.against, point, normal: self.normal }
     }
 
@@ -228,7 +220,7 @@ impl<'a> PreparedQuestion<'a> {
     /// Finding that reports the converted coordinates of a point given in another frame; `condition` names the pose
     /// of the conversion.
     pub fn converted_point_finding(&self, contact: &Contact, condition: &str) -> Option<Finding> {
-        let frame = match self.question.frame {
+        let frame = match self.question.contact.frame() {
             Frame::Link => return None,
             Frame::World => "world",
             Frame::Against => "against",
@@ -251,9 +243,11 @@ impl<'a> PreparedQuestion<'a> {
     pub fn guess_findings(&self, pose: &Pose) -> Vec<Finding> {
         let question = &self.question;
         let mut found =
-            guess_findings(&self.system, pose, &self.configuration, &question.guess, question.names);
-        let other =
-            question.pose.as_ref().and_then(|file| file.model_mismatch_message(self.model, question.names));
+            guess_findings(&self.system, pose, &self.configuration, &question.pose.guess, question.names);
+        let other = question
+            .positions
+            .as_ref()
+            .and_then(|file| file.model_mismatch_message(self.model, question.names));
         found.extend(other.map(|message| Finding::about_result(FindingKind::PoseOfAnotherFile, message)));
         found
     }
@@ -276,7 +270,7 @@ impl<'a> PreparedQuestion<'a> {
 
     /// Input files: model, study and pose.
     pub fn inputs(&self) -> Vec<Input> {
-        let pose = self.question.pose.iter().filter_map(GivenPose::file);
+        let pose = self.question.positions.iter().filter_map(GivenPose::file);
         self.model.inputs.iter().chain(pose).cloned().collect()
     }
 
@@ -389,9 +383,9 @@ pub(crate) fn compile(
     let joint = |field: Field, name: &str| -> Result<JointId, StudyError> {
         mechanism.find_joint(name).map_err(|error| StudyError::input(field, error))
     };
-    let base = if floats_already(mechanism) { Base::Fixed } else { question.base };
+    let base = if floats_already(mechanism) { Base::Fixed } else { question.conditions.base() };
     let mut conditions = Conditions::new().base(base);
-    for name in &question.lock {
+    for name in &question.conditions.lock {
         if name == EVERY_JOINT && mechanism.find_joint(name).is_err() {
             let moving = mechanism
                 .joints()
@@ -403,11 +397,11 @@ pub(crate) fn compile(
         joint(Field::Lock, name)?;
         conditions = conditions.lock(name);
     }
-    for (name, values) in &question.armature {
+    for (name, values) in &question.conditions.armature {
         joint(Field::Armature, name)?;
         conditions = conditions.armature(name, values.clone());
     }
-    for (name, _) in &question.gear_stiffness {
+    for (name, _) in &question.conditions.gear_stiffness {
         joint(Field::GearStiffness, name)?;
     }
     for (_, hold) in question.hold.iter().enumerate().filter(|(i, _)| Some(*i) != skipped) {
@@ -460,7 +454,7 @@ pub(crate) fn configuration(
         }
         given.values_for_joint(kind).map_err(wrong)
     };
-    let mut configuration = match &question.pose {
+    let mut configuration = match &question.positions {
         None => Configuration::zero(mechanism),
         Some(file) => {
             let refuse = |error: GivenPoseError| StudyError::input(Field::Pose, error);
@@ -468,12 +462,12 @@ pub(crate) fn configuration(
             from_file(mechanism, question, file, values)?
         }
     };
-    for (joint, given) in &question.set {
+    for (joint, given) in &question.pose.set {
         let values = values(Field::Set, joint, given)?;
         configuration.set(joint, &values).map_err(|error| StudyError::input(Field::Set, error))?;
     }
-    let whole = question.pose.as_ref().is_some_and(|file| file.is_complete(mechanism));
-    for (joint, given) in question.guess.iter().filter(|_| !whole) {
+    let whole = question.positions.as_ref().is_some_and(|file| file.is_complete(mechanism));
+    for (joint, given) in question.pose.guess.iter().filter(|_| !whole) {
         let values = values(Field::Guess, joint, given)?;
         configuration.guess(joint, &values).map_err(|error| StudyError::input(Field::Guess, error))?;
     }
@@ -494,7 +488,7 @@ fn from_file(
     let refuse = |error: ConfigurationError| StudyError::input(Field::Pose, error);
     if !file.is_complete(mechanism) {
         let mut configuration = Configuration::zero(mechanism);
-        let is_set = |joint: &String| question.set.iter().any(|(set, _)| set == joint);
+        let is_set = |joint: &String| question.pose.set.iter().any(|(set, _)| set == joint);
         for (joint, given) in file.positions.iter().filter(|(joint, _)| !is_set(joint)) {
             configuration.set(joint, &values(Field::Pose, joint, given)?).map_err(refuse)?;
         }
@@ -509,7 +503,7 @@ fn from_file(
         let over = |given: &[(String, GivenPosition)]| {
             given.iter().find(|(of, _)| *of == name).map(|(_, position)| position.clone())
         };
-        let given = [(Field::Guess, over(&question.guess)), (Field::Set, over(&question.set))];
+        let given = [(Field::Guess, over(&question.pose.guess)), (Field::Set, over(&question.pose.set))];
         let given = given.into_iter().chain([(Field::Pose, file.positions.get(&name).cloned())]);
         let given = given.into_iter().find_map(|(field, position)| Some((field, position?)));
         match given {

@@ -41,7 +41,7 @@ impl RandomRows {
             let positions = found.kind().positions();
             // A single component of a spherical joint that drives a loop cannot be set.
             let drives = !system.is_bound(*joint) || (drivers.contains(joint) && positions == 1);
-            let set = question.set.iter().any(|(set, _)| set == found.name());
+            let set = question.pose.set.iter().any(|(set, _)| set == found.name());
             positions > 0 && found.mimic().is_none() && drives && !set
         };
         let joints: Vec<JointId> = mechanism.joint_ids().filter(is_free).collect();

@@ -10,7 +10,7 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
-use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::mass_question::MassQuestion;
 use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::DIRECTIONS;
 use nalgebra::Vector3;
@@ -85,7 +85,8 @@ pub fn map_point(
     let given = question;
     let question = question.resolve_contact(&model.mechanism)?.into_owned();
     question.refuse_moment("map of directions")?;
-    let question = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question };
+    let contact = question.contact.with_normal([1.0, 0.0, 0.0], question.contact.normal_frame());
+    let question = MassQuestion { contact, ..question };
     let prepared = PreparedQuestion::new(model, &question)?;
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
@@ -127,12 +128,12 @@ pub fn map_point(
         schema: "percuss.map-point/1",
         percuss: env!("CARGO_PKG_VERSION"),
         inputs: prepared.inputs(),
-        link: question.link.clone(),
+        link: question.contact.link().to_owned(),
         point_link: contact.point.into(),
         point_world: x_wl.point(&contact.point).into(),
         principal: principal.iter().map(of_direction).collect(),
         directions: alone.iter().map(of_direction).collect(),
-        against: question.against.clone(),
+        against: question.contact.against.clone(),
         conditions: ConditionsRecord::of(&question),
         singular_pose: pose.rank().singular,
         pose: Positions::from_pose(&PoseLayout::new(&model.mechanism), &pose),

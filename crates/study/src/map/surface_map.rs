@@ -13,7 +13,8 @@ use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::Field;
-use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::mass_question::MassQuestion;
+use crate::question::tables::contact::ContactTable;
 use crate::question::tables::map::{MapQuestion, MapShapes};
 use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::{EDGES_ACROSS, FACETS, LEAST_EDGE};
@@ -61,8 +62,8 @@ pub fn map(
         true => mechanism.link_ids().collect(),
         false => question.link.iter().map(find).collect::<Result<_, _>>()?,
     };
-    let conditions = question_with_placeholder_contact(model, conditions);
-    let conditions = MassQuestion { estimate: None, ..conditions };
+    let mut conditions = question_with_placeholder_contact(model, conditions);
+    conditions.contact.estimate = None;
     let prepared = PreparedQuestion::new(model, &conditions)?;
     let pose = prepared.pose()?;
     let mut found = prepared.pose_findings(&pose);
@@ -120,13 +121,14 @@ pub fn map(
 
 /// Question with a valid contact, required by `PreparedQuestion`; the contact itself is not evaluated.
 pub(crate) fn question_with_placeholder_contact(model: &Model, conditions: &MassQuestion) -> MassQuestion {
-    let against = conditions.against.as_deref();
-    let link = model.mechanism.links().iter().map(|l| l.name()).find(|name| Some(*name) != against);
-    MassQuestion {
-        link: link.unwrap_or_default().to_owned(),
-        normal: Normal::Along([1.0, 0.0, 0.0]),
-        ..conditions.clone()
-    }
+    let given = &conditions.contact;
+    let link =
+        model.mechanism.links().iter().map(|l| l.name()).find(|name| Some(*name) != given.against.as_deref());
+    let contact = ContactTable {
+        link: Some(link.unwrap_or_default().to_owned()),
+        ..given.with_normal([1.0, 0.0, 0.0], given.normal_frame())
+    };
+    MassQuestion { contact, ..conditions.clone() }
 }
 
 /// Shapes of a purpose; `Auto` takes collision shapes, or visual shapes if there are none.

@@ -5,6 +5,7 @@ use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::FurtherContact;
+use crate::question::tables::contact::PoseTable;
 use crate::values::position::GivenPosition;
 use percuss_dynamics::{Configuration, Contact, Pose, System};
 
@@ -43,7 +44,10 @@ pub fn pose_at_stop(
         Ok((name(joint), GivenPosition::from_numbers(values).map_err(refuse)?))
     });
     let set = set.collect::<Result<Vec<_>, StudyError>>()?;
-    let question = MassQuestion { at: Some(stop.to_owned()), set, ..MassQuestion::without_contact() };
+    let question = MassQuestion {
+        pose: PoseTable { set, ..PoseTable::default() },
+        ..MassQuestion::default().at_contact(stop)
+    };
     let resolved = question.resolve_contact(mechanism)?;
     let contact = match (question.named_contact(mechanism)?, question.spelled_contact(mechanism)?) {
         (Some(named), _) => Some(Contact::named(named, mechanism.root())),
@@ -58,7 +62,7 @@ pub fn pose_at_stop(
         StudyError::input(Field::At, message)
     })?;
     let mut at_limit = configuration.clone();
-    for (joint, position) in &resolved.set[question.set.len()..] {
+    for (joint, position) in &resolved.pose.set[question.pose.set.len()..] {
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::At, error))?;
         let refuse = |source| StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source });
         let values = position.values_for_joint(mechanism.joint(id).kind()).map_err(refuse)?;

@@ -38,7 +38,7 @@ pub(crate) fn pose(
     };
     let mechanism = system.mechanism();
     let mut driven: Vec<JointId> =
-        question.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok()).collect();
+        question.pose.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok()).collect();
     let mut travels = Vec::new();
     for point in moved_points(mechanism, question)? {
         let travel = DrivenTravel::new(system, configuration, &point, &driven)?;
@@ -52,7 +52,7 @@ pub(crate) fn pose(
         return touch_pose(system, configuration, question, &driven, (name, &stops), start);
     }
     let solved = solve_all(&travels, &start, Search::Full { least_part: LEAST_PART }, question.names);
-    let motion = question.travel.iter().find_map(|travel| match &travel.moved {
+    let motion = question.pose.travel.iter().find_map(|travel| match &travel.moved {
         Moved::Wheels(motion) => Some(motion.name()),
         Moved::Point { .. } => None,
     });
@@ -84,7 +84,7 @@ fn dependent_stop_pose(
     let mut released = configuration.clone();
     released.release(stop.joint);
     let start = system.pose(&released)?;
-    let set = question.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok());
+    let set = question.pose.set.iter().filter_map(|(name, _)| mechanism.find_joint(name).ok());
     let driven: Vec<JointId> = set.filter(|joint| *joint != stop.joint).collect();
     let Some(travel) = Travel::of_joint(&start, stop.joint, stop.is_upper) else { return Err(error.into()) };
     let drivers = start.loops().map_or(&[][..], |loops| &loops.drivers);
@@ -318,9 +318,9 @@ pub(crate) fn moved_points(
     mechanism: &Mechanism,
     question: &MassQuestion,
 ) -> Result<Vec<MovedPoint>, StudyError> {
-    for (i, one) in question.travel.iter().enumerate() {
+    for (i, one) in question.pose.travel.iter().enumerate() {
         let is_wheel = |travel: &&GivenTravel| matches!(travel.moved, Moved::Wheels(_));
-        let others = question.travel[..i].iter().filter(is_wheel);
+        let others = question.pose.travel[..i].iter().filter(is_wheel);
         if let Some(other) =
             Some(one).filter(is_wheel).and(others.clone().find(|other| !other.moved.is_beside(&one.moved)))
         {
@@ -332,7 +332,7 @@ pub(crate) fn moved_points(
         }
     }
     let mut all: Vec<(bool, MovedPoint)> = Vec::new();
-    for given in &question.travel {
+    for given in &question.pose.travel {
         let is_wheel = matches!(given.moved, Moved::Wheels(_));
         for point in given.moved.points(mechanism, Field::Travel, given.distance)? {
             match all.iter_mut().find(|(of_wheel, known)| *of_wheel && is_wheel && known.link == point.link) {

@@ -60,7 +60,7 @@ impl StopOfJoint {
     /// True if a question sets the joint to this limit.
     pub fn is_requested(&self, mechanism: &Mechanism, question: &MassQuestion) -> bool {
         let joint = mechanism.joint(self.joint);
-        let mut given = question.set.iter().filter(|(name, _)| name == joint.name());
+        let mut given = question.pose.set.iter().filter(|(name, _)| name == joint.name());
         let values = given.next().and_then(|(_, given)| given.values_for_joint(joint.kind()).ok());
         values.is_some_and(|values| values == [self.limit])
     }

@@ -1,54 +1,23 @@
-//! Question about a contact of a model, in terms of names. The fields correspond to the flags of `percuss
-//! mass`.
+//! Question about a contact of a model, in terms of names: the tables of a study.
 
+use crate::model::loading::refuse_pipe;
 use crate::question::errors::question_error::StudyError;
+use crate::question::errors::refusal::InvalidKey;
 use crate::question::field::{Field, Names};
 use crate::question::pose_file::GivenPose;
-use crate::question::travel::given_travel::GivenTravel;
-use crate::values::drives::GivenSpring;
-use crate::values::position::GivenPosition;
+use crate::question::row_source::path_in;
+use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
 use crate::values::quantities::{self, Point, Vector};
-use percuss_dynamics::{Base, Contact, Direction, Frame};
-use percuss_mechanism::{LinkId, Mechanism, NamedContact};
+use percuss_dynamics::Contact;
+use percuss_mechanism::{Mechanism, NamedContact};
 use percuss_spatial::Transform;
 use percuss_units::QuantityError;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::borrow::Cow;
+use std::fmt::Display;
+use std::path::Path;
 use std::str::FromStr;
-
-/// Direction of the contact normal, or axis of a moment.
-#[derive(Clone, Debug, PartialEq)]
-pub enum Normal {
-    /// Vector in the normal's frame.
-    Along([f64; 3]),
-    /// Axis of a moment in the normal's frame; the contact point has no effect.
-    About([f64; 3]),
-    /// Direction from the contact point towards a point (m) of a link, in the frame of that link. The line may
-    /// turn by at most 5° from the line as drawn.
-    Toward(String, [f64; 3]),
-    /// Same as `Toward`, for a line that may turn freely: of a spring, a damper or a rod.
-    TurningToward(String, [f64; 3]),
-    /// Opposite direction of this line: a stop that limits the extension of a damper.
-    TurningAwayFrom(String, [f64; 3]),
-}
-
-impl Normal {
-    /// Normal with the names of links, and its frame if it is a vector (normal or axis).
-    pub fn of_direction(direction: Direction, name: impl Fn(LinkId) -> String) -> (Self, Frame) {
-        match direction {
-            Direction::Along(normal, frame) => (Normal::Along(normal.into()), frame),
-            Direction::About(axis, frame) => (Normal::About(axis.into()), frame),
-            Direction::Toward(link, point) => (Normal::Toward(name(link), point.into()), Frame::Link),
-            Direction::TurningToward(link, point) => {
-                (Normal::TurningToward(name(link), point.into()), Frame::Link)
-            }
-            Direction::TurningAwayFrom(link, point) => {
-                (Normal::TurningAwayFrom(name(link), point.into()), Frame::Link)
-            }
-        }
-    }
-}
 
 /// Held contact: a point (m, link's frame) of a link that stays in place along a normal (world axes, out of the
 /// link) or in all directions.
@@ -176,50 +145,92 @@ impl FromStr for RatioPoint {
     }
 }
 
+/// Question about a contact of a model: tables of a study, and the positions that they name.
+///
+/// The mechanism moves to the touch of a named stop, unless a travel or positions give the pose, or all joints that move the stop are set.
+/// The joint of a joint stop moves to its limit, unless its position is given.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct MassQuestion {
+    /// Contact.
+    pub contact: ContactTable,
+    /// Pose.
+    pub pose: PoseTable,
+    /// Positions of all joints, from the file of the pose; `set` and `guess` of the pose take precedence.
+    pub positions: Option<GivenPose>,
+    /// Conditions.
+    pub conditions: ConditionsTable,
+    /// Held contacts.
+    pub hold: Vec<Hold>,
+    /// Set of names used in messages for the parts of the question.
+    pub names: Names,
+}
+
 impl MassQuestion {
+    /// Question of the tables of a study; the positions of its file are not read.
+    pub fn of_tables(
+        contact: &ContactTable,
+        pose: &PoseTable,
+        conditions: &ConditionsTable,
+        hold: &[Hold],
+        names: Names,
+    ) -> Self {
+        let (contact, pose, conditions) = (contact.clone(), pose.clone(), conditions.clone());
+        Self { contact, pose, positions: None, conditions, hold: hold.to_vec(), names }
+    }
+
+    /// The question with the positions of its file and a checked contact, which may be incomplete. Paths are relative to `folder`; the file
+    /// has at most `max_size` bytes.
+    ///
+    /// # Errors
+    /// [`InvalidKey`]: keys that exclude each other, or an unreadable file of positions.
+    pub fn checked(mut self, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
+        let refuse = |error: &dyn Display| InvalidKey::new(Field::Pose.key(), error.to_string());
+        if let Some(file) = &self.pose.file {
+            // The standard input and absolute paths are kept.
+            let path = path_in(folder, file);
+            if matches!(self.names, Names::Keys(_)) {
+                refuse_pipe(&path).map_err(|error| refuse(&error))?;
+            }
+            let read = GivenPose::read_as(&path, file, max_size).map_err(|error| refuse(&error))?;
+            self.positions = Some(read);
+        }
+        self.contact = self.contact.checked()?;
+        Ok(self)
+    }
+
     /// Question with the link, point, normal and other side of its named contact; the name remains, so that a stop is
     /// still brought to the touch. A question that has a link is resolved already.
     ///
     /// # Errors
     /// Unknown contact.
     pub(crate) fn resolve_contact(&self, mechanism: &Mechanism) -> Result<Cow<'_, Self>, StudyError> {
-        if self.link.is_empty()
-            && let Some(spelled) = self.spelled_contact(mechanism)?
-        {
+        if self.contact.link.is_some() {
+            return Ok(Cow::Borrowed(self));
+        }
+        if let Some(spelled) = self.spelled_contact(mechanism)? {
             return Ok(Cow::Owned(self.with_spelled(&spelled, mechanism)?));
         }
-        let contact = self.named_contact(mechanism)?.filter(|_| self.link.is_empty());
-        let Some(contact) = contact else { return Ok(Cow::Borrowed(self)) };
-        let name = |link: LinkId| mechanism.link(link).name().to_owned();
-        let (normal, normal_frame) = match &self.normal {
-            Normal::Along(zero) if *zero == [0.0; 3] => {
-                Normal::of_direction(Contact::named(contact, mechanism.root()).normal, name)
-            }
-            _ if contact.gap().is_some() => {
+        let Some(named) = self.named_contact(mechanism)? else { return Ok(Cow::Borrowed(self)) };
+        let mut contact = self.contact.with_contact(&Contact::named(named, mechanism.root()), mechanism);
+        if self.contact.has_normal() {
+            if named.gap().is_some() {
                 let why = "the named contact is a stop, whose normal belongs to its gap; remove the normal, or give link, point and normal";
                 return Err(StudyError::input(Field::Normal, why));
             }
-            given => (given.clone(), self.normal_frame),
-        };
-        Ok(Cow::Owned(Self {
-            link: name(contact.link()),
-            point: (*contact.point()).into(),
-            normal,
-            frame: Frame::Link,
-            normal_frame,
-            against: contact.against().map(name),
-            ..self.clone()
-        }))
+            let [x, y, z] = self.contact.normal.unwrap_or_default().0;
+            contact = contact.with_normal([x, y, z], self.contact.normal_frame());
+        }
+        Ok(Cow::Owned(Self { contact, ..self.clone() }))
     }
 
     /// True if a travel or a file of positions gives the pose.
     pub(crate) fn gives_pose(&self) -> bool {
-        !self.travel.is_empty() || self.pose.is_some()
+        !self.pose.travel.is_empty() || self.positions.is_some()
     }
 
     /// X_wr of the pose of the question; `None` if the root link is at the origin of the world.
     pub(crate) fn base_pose(&self) -> Option<&Transform<f64>> {
-        self.pose.as_ref().map(|pose| &pose.base).filter(|base| **base != Transform::identity())
+        self.positions.as_ref().map(|pose| &pose.base).filter(|base| **base != Transform::identity())
     }
 
     /// Named contact of the question; `None` if `at` is empty, or describes a contact in one of the other forms of
@@ -232,111 +243,13 @@ impl MassQuestion {
             return Ok(None);
         }
         let find = |name: &String| mechanism.find_contact(name).map_err(|e| StudyError::input(Field::At, e));
-        self.at.as_ref().map(find).transpose()
+        self.contact.at.as_ref().map(find).transpose()
     }
 
-    /// Question at a named contact of the model in place of its own contact.
-    pub(crate) fn at_contact(&self, name: &str) -> Self {
-        Self {
-            at: Some(name.to_owned()),
-            link: String::new(),
-            point: [0.0; 3],
-            normal: Normal::Along([0.0; 3]),
-            frame: Frame::Link,
-            normal_frame: Frame::Link,
-            against: None,
-            ..self.clone()
-        }
+    /// Question at a named contact of the model, or at a contact as text in a form of [`FurtherContact`](crate::FurtherContact), in place of
+    /// its own contact.
+    pub fn at_contact(&self, name: &str) -> Self {
+        let contact = ContactTable { at: Some(name.to_owned()), ..self.contact.without_geometry() };
+        Self { contact, ..self.clone() }
     }
-
-    /// Question at the contact of another question, with its own pose and conditions.
-    pub(crate) fn with_contact_of(&self, other: &Self) -> Self {
-        Self {
-            at: other.at.clone(),
-            link: other.link.clone(),
-            point: other.point,
-            normal: other.normal.clone(),
-            frame: other.frame,
-            normal_frame: other.normal_frame,
-            against: other.against.clone(),
-            against_mass: other.against_mass,
-            estimate: other.estimate.clone(),
-            ratio_at: other.ratio_at.clone(),
-            ..self.clone()
-        }
-    }
-
-    /// Question without a contact, for commands that define the contact by other data: all joints at 0, nothing
-    /// held.
-    pub fn without_contact() -> Self {
-        Self {
-            names: Names::default(),
-            at: None,
-            link: String::new(),
-            point: [0.0; 3],
-            normal: Normal::Along([0.0; 3]),
-            frame: Frame::Link,
-            normal_frame: Frame::Link,
-            against: None,
-            against_mass: None,
-            set: Vec::new(),
-            guess: Vec::new(),
-            pose: None,
-            travel: Vec::new(),
-            lock: Vec::new(),
-            hold: Vec::new(),
-            armature: Vec::new(),
-            gear_stiffness: Vec::new(),
-            base: Base::Fixed,
-            estimate: None,
-            ratio_at: Vec::new(),
-        }
-    }
-}
-
-/// Question about a contact of a model.
-#[derive(Clone, Debug, PartialEq)]
-pub struct MassQuestion {
-    /// Named contact of the model, or a contact as text in a form of [`FurtherContact`](crate::FurtherContact); replaces `link`, `point`,
-    /// the frames, `against` and a zero normal. The mechanism moves to the touch of a named stop, unless `travel` or `pose` gives the pose,
-    /// or all joints that move the stop are set. The joint of a joint stop moves to its limit, unless its position is given.
-    pub at: Option<String>,
-    /// Contact link.
-    pub link: String,
-    /// The contact point, m, in `frame`.
-    pub point: [f64; 3],
-    /// Contact normal, out of the contact link; or the axis of a moment.
-    pub normal: Normal,
-    /// Frame of `point`.
-    pub frame: Frame,
-    /// Frame of a normal or an axis given as a vector.
-    pub normal_frame: Frame,
-    /// Other link; `None` for the ground.
-    pub against: Option<String>,
-    /// Mass of a free body on the other side, kg.
-    pub against_mass: Option<f64>,
-    /// Driving joints and their positions.
-    pub set: Vec<(String, GivenPosition)>,
-    /// Initial guesses for joints determined by loops.
-    pub guess: Vec<(String, GivenPosition)>,
-    /// Positions of all joints, from a file; `set` and `guess` take precedence.
-    pub pose: Option<GivenPose>,
-    /// Travels that drive the pose, starting from the set joint positions.
-    pub travel: Vec<GivenTravel>,
-    /// Locked joints.
-    pub lock: Vec<String>,
-    /// Held contacts.
-    pub hold: Vec<Hold>,
-    /// Joints with replaced armature: one value, or one value per velocity.
-    pub armature: Vec<(String, Vec<f64>)>,
-    /// Joints with elastic gears between the rotor (the armature) and the joint: stiffness, and damping if given.
-    pub gear_stiffness: Vec<(String, GivenSpring)>,
-    /// Base: fixed or floating root link.
-    pub base: Base,
-    /// Classical estimate to report with the result.
-    pub estimate: Option<EstimateQuestion>,
-    /// Points of motion ratios to report.
-    pub ratio_at: Vec<RatioPoint>,
-    /// Set of names used in messages for the parts of the question.
-    pub names: Names,
 }

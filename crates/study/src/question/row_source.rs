@@ -57,7 +57,7 @@ impl RowSource {
         };
         let mut question = question.clone();
         if let Some(varied) = varied {
-            question.travel.retain(|travel| travel.moved.is_beside(varied));
+            question.pose.travel.retain(|travel| travel.moved.is_beside(varied));
         }
         question
     }

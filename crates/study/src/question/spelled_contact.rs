@@ -4,8 +4,10 @@
 use crate::question::errors::fault::Fault;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
-use crate::question::mass_question::{Hold, MassQuestion, Normal};
+use crate::question::mass_question::{Hold, MassQuestion};
+use crate::question::tables::contact::{ContactTable, FrameName};
 use crate::values::position::GivenPosition;
+use crate::values::quantities::{LinkPoint, Point, Vector};
 use percuss_contact::exports::StopMotion;
 use percuss_dynamics::{Contact, Direction, Frame};
 use percuss_mechanism::{Joint, JointId, JointKind, Mechanism, near_names};
@@ -243,7 +245,7 @@ impl MassQuestion {
         mechanism: &Mechanism,
     ) -> Result<Option<FurtherContact>, StudyError> {
         let is_spelled = |text: &&String| text.contains(':') && mechanism.find_contact(text).is_err();
-        let Some(text) = self.at.as_ref().filter(is_spelled) else { return Ok(None) };
+        let Some(text) = self.contact.at.as_ref().filter(is_spelled) else { return Ok(None) };
         let refuse = |message: String| StudyError::input(Field::At, message);
         text.parse().map(Some).map_err(refuse)
     }
@@ -262,16 +264,16 @@ impl MassQuestion {
         let is_stop = || self.stop_of_joint(mechanism).is_some_and(|(_, motion)| motion == StopMotion::Turn);
         let is_spelled =
             || matches!(self.spelled_contact(mechanism), Ok(Some(FurtherContact::Moment { .. })));
-        matches!(self.normal, Normal::About(_)) || is_stop() || is_spelled()
+        self.contact.about_axis.is_some() || is_stop() || is_spelled()
     }
 
     /// Refuses a result that requires a contact point if the resolved contact is a moment.
     pub(crate) fn refuse_moment(&self, result: &'static str) -> Result<(), StudyError> {
-        if !matches!(self.normal, Normal::About(_)) {
+        if self.contact.about_axis.is_none() {
             return Ok(());
         }
         let is_moment = |text: &String| matches!(text.parse(), Ok(FurtherContact::Moment { .. }));
-        let (field, contact) = match &self.at {
+        let (field, contact) = match &self.contact.at {
             Some(text) if is_moment(text) => (Field::At, "a moment about an axis"),
             Some(_) => (Field::At, "the stop of a joint"),
             None => (Field::AboutAxis, "a moment about an axis"),
@@ -287,36 +289,40 @@ impl MassQuestion {
         mechanism: &Mechanism,
     ) -> Result<Self, StudyError> {
         let refuse = |field, message: &str| Err(StudyError::input(field, message));
-        if !matches!(self.normal, Normal::Along(zero) if zero == [0.0; 3]) {
+        if self.contact.has_normal() {
             return refuse(
                 Field::Normal,
                 "the contact of `at` has its own normal; expected no further normal",
             );
         }
-        let of_text = |link: &String, point, normal, normal_frame, against| Self {
-            link: link.clone(),
-            point,
-            normal,
-            frame: Frame::Link,
-            normal_frame,
-            against,
-            ..self.clone()
+        let with = |contact: ContactTable| {
+            let ContactTable { at, against_mass, estimate, ratio_at, .. } = self.contact.clone();
+            let contact = ContactTable { at, against_mass, estimate, ratio_at, ..contact };
+            Self { contact, ..self.clone() }
         };
         match contact {
             FurtherContact::Named(_) | FurtherContact::Resolved(_) => Ok(self.clone()),
-            FurtherContact::Point { link, point, normal, against } => {
-                Ok(of_text(link, *point, Normal::Along(*normal), Frame::World, against.clone()))
-            }
-            FurtherContact::Moment { link, axis, against } => {
-                Ok(of_text(link, [0.0; 3], Normal::About(*axis), Frame::Link, against.clone()))
-            }
-            FurtherContact::Cable { link, point, other, end } => {
-                let normal = Normal::TurningAwayFrom(other.clone(), *end);
-                let against = self.against_mass.is_none().then(|| other.clone());
-                Ok(of_text(link, *point, normal, Frame::Link, against))
-            }
+            FurtherContact::Point { link, point, normal, against } => Ok(with(ContactTable {
+                normal_frame: Some(FrameName::World),
+                against: against.clone(),
+                ..ContactTable::at_point(link, *point, *normal)
+            })),
+            FurtherContact::Moment { link, axis, against } => Ok(with(ContactTable {
+                link: Some(link.clone()),
+                about_axis: Some(Vector(*axis)),
+                against: against.clone(),
+                ..ContactTable::default()
+            })),
+            FurtherContact::Cable { link, point, other, end } => Ok(with(ContactTable {
+                link: Some(link.clone()),
+                point: Some(Point(*point)),
+                along_line: Some(LinkPoint { link: other.clone(), point: Point(*end) }),
+                cable: true,
+                against: self.contact.against_mass.is_none().then(|| other.clone()),
+                ..ContactTable::default()
+            })),
             FurtherContact::JointStop { joint, is_upper } => {
-                if self.against_mass.is_some() {
+                if self.contact.against_mass.is_some() {
                     return refuse(
                         Field::AgainstMass,
                         "the stop of a joint has no free body on the other side",
@@ -325,15 +331,11 @@ impl MassQuestion {
                 let unknown = |error| StudyError::input(Field::At, error);
                 let resolved = contact.resolve(mechanism, Field::At)?;
                 let declared = mechanism.joint(mechanism.find_joint(joint).map_err(unknown)?);
-                let name = |link| mechanism.link(link).name().to_owned();
-                let (normal, frame) = Normal::of_direction(resolved.normal, name);
-                let against = Some(name(declared.parent()));
-                let mut question =
-                    of_text(&name(declared.child()), resolved.point.into(), normal, frame, against);
+                let mut question = with(ContactTable::default().with_contact(&resolved, mechanism));
                 let master = declared.mimic().map(|mimic| mechanism.joint(mimic.master).name());
                 let is_set =
                     |(set, _): &(String, GivenPosition)| set == joint || Some(set.as_str()) == master;
-                let is_given = self.set.iter().any(is_set) || self.gives_pose();
+                let is_given = self.pose.set.iter().any(is_set) || self.gives_pose();
                 if !is_given {
                     let limits = declared.limits().ok_or_else(|| {
                         StudyError::input(Field::At, Fault::NoLimit { joint: joint.clone() })
@@ -351,7 +353,7 @@ impl MassQuestion {
                     let wrong = |source| {
                         StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source })
                     };
-                    question.set.push((moved, position.map_err(wrong)?));
+                    question.pose.set.push((moved, position.map_err(wrong)?));
                 }
                 Ok(question)
             }

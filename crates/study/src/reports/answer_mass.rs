@@ -14,6 +14,7 @@ use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::contact::ConditionsTable;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::mass::MassOptions;
 use crate::reports::drawing::drawn_mechanism::{DrawnMechanism, draw_evaluated};
@@ -50,7 +51,7 @@ fn with_compliance(
 
 /// Report without a damper, with the requested motion ratios.
 pub(crate) fn build_mass_report(evaluated: &EvaluatedQuestion) -> Result<MassReport, StudyError> {
-    let mut motion_ratios = requested_ratios(evaluated, &evaluated.prepared.question.ratio_at)?;
+    let mut motion_ratios = requested_ratios(evaluated, &evaluated.prepared.question.contact.ratio_at)?;
     let of_wheels = wheel_ratios(evaluated);
     let named_contact = named_contact(evaluated)?;
     let report = MassReport::of(evaluated, named_contact, &of_wheels);
@@ -67,11 +68,12 @@ fn other_base(evaluated: &EvaluatedQuestion) -> Result<Option<OtherBaseRecord>, 
     if !has_mass || wheel_centres(mechanism, "").is_empty() {
         return Ok(None);
     }
-    let base = match question.base {
+    let base = match question.conditions.base() {
         Base::Fixed => Base::Floating,
         Base::Floating => Base::Fixed,
     };
-    let other = MassQuestion { base, ..question.clone().into_owned() };
+    let conditions = ConditionsTable { base: Some(base.into()), ..question.conditions.clone() };
+    let other = MassQuestion { conditions, ..question.clone().into_owned() };
     let result = EvaluatedQuestion::new(evaluated.prepared.model, &other)?.result;
     let (status, effective_mass) = Status::classify(result.response.effective_mass);
     Ok(Some(OtherBaseRecord {

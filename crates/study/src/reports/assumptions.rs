@@ -34,7 +34,7 @@ pub(crate) fn lacks_rotors(prepared: &PreparedQuestion) -> bool {
     mechanism.closures().is_empty()
         && turning.count() >= ROBOT_JOINTS
         && !has_armature
-        && prepared.question.armature.is_empty()
+        && prepared.question.conditions.armature.is_empty()
 }
 
 impl Assumptions {
@@ -44,11 +44,11 @@ impl Assumptions {
         let mechanism = system.mechanism();
         let root = mechanism.link(mechanism.root()).name();
         let mut assumptions = Assumptions {
-            base: match question.base {
+            base: match question.conditions.base() {
                 Base::Fixed => format!("fixed (root link \"{root}\" is the ground)"),
                 Base::Floating => format!("floating (root link \"{root}\" moves freely)"),
             },
-            set: question.set.iter().map(|(joint, _)| joint.clone()).collect(),
+            set: question.pose.set.iter().map(|(joint, _)| joint.clone()).collect(),
             drivers: pose.loops().map_or_else(Vec::new, |l| {
                 l.drivers.iter().map(|id| mechanism.joint(*id).name().to_owned()).collect()
             }),

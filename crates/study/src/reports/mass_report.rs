@@ -139,14 +139,19 @@ impl ConditionsRecord {
     pub(crate) fn of(question: &MassQuestion) -> Self {
         let hold = |h: &Hold| HoldRecord { link: h.link.clone(), point: h.point, normal: h.normal };
         Self {
-            base: base_name(question.base),
+            base: base_name(question.conditions.base()),
             base_pose: question.base_pose().map(seven_numbers),
-            lock: question.lock.clone(),
+            lock: question.conditions.lock.clone(),
             hold: question.hold.iter().map(hold).collect(),
-            armature: question.armature.iter().cloned().collect(),
-            against_mass: question.against_mass,
-            guess: question.guess.iter().map(|(j, given)| (j.clone(), given.text().to_owned())).collect(),
-            travel: question.travel.iter().cloned().map(TravelRecord::from).collect(),
+            armature: question.conditions.armature.iter().cloned().collect(),
+            against_mass: question.contact.against_mass(),
+            guess: question
+                .pose
+                .guess
+                .iter()
+                .map(|(j, given)| (j.clone(), given.text().to_owned()))
+                .collect(),
+            travel: question.pose.travel.iter().cloned().map(TravelRecord::from).collect(),
         }
     }
 }

@@ -12,7 +12,7 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::Positions;
 use crate::question::errors::question_error::{StudyError, branch_limits_text};
 use crate::question::field::Field;
-use crate::question::mass_question::{MassQuestion, Normal};
+use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::tables::extremes::ExtremesQuestion;
 use crate::question::tables::safe_speed::{Limit, SafeSpeedQuestion};
@@ -139,7 +139,7 @@ fn safe_speed(
     }
     let question = &*question.resolve_contact(&model.mechanism)?;
     question.refuse_moment("safe speed")?;
-    if question.against.is_some() || question.against_mass.is_some() {
+    if question.contact.against.is_some() || question.contact.against_mass.is_some() {
         return Err(StudyError::PersonIsOtherSide);
     }
     let bare = EvaluatedQuestion::new(model, question)?;
@@ -284,8 +284,8 @@ pub fn safe_speeds(
         all.push(worst_direction(model, question)?);
     }
     let of_direction = |direction: &[f64; 3]| {
-        let (normal, normal_frame) = (Normal::Along(*direction), Frame::World);
-        let question = MassQuestion { normal, normal_frame, ..question.clone() };
+        let contact = question.contact.with_normal(*direction, Frame::World);
+        let question = MassQuestion { contact, ..question.clone() };
         let of_field = |field| if field == Field::Normal { Field::Direction } else { field };
         safe_speed(model, &question, asked).map_err(|error| error.with_field(of_field))
     };
@@ -359,7 +359,8 @@ fn mass_unknown() -> StudyError {
 
 /// Direction of the largest effective mass at the contact point, world axes.
 fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], StudyError> {
-    let any = MassQuestion { normal: Normal::Along([1.0, 0.0, 0.0]), ..question.clone() };
+    let contact = question.contact.with_normal([1.0, 0.0, 0.0], question.contact.normal_frame());
+    let any = MassQuestion { contact, ..question.clone() };
     let prepared = PreparedQuestion::new(model, &any)?;
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
@@ -434,7 +435,7 @@ fn moving_mass(evaluated: &EvaluatedQuestion) -> f64 {
         let above = std::iter::successors(mechanism.parent_joint(*link), |joint| {
             mechanism.parent_joint(mechanism.joint(*joint).parent())
         });
-        let floats = prepared.question.base == Base::Floating;
+        let floats = prepared.question.conditions.base() == Base::Floating;
         floats
             || above
                 .into_iter()

@@ -204,7 +204,8 @@ impl MassDeviations {
 
 /// Armature of a joint, one value per velocity.
 fn armature(model: &Model, question: &MassQuestion, joint: &str, velocities: usize) -> Vec<f64> {
-    let options = question.armature.iter().find(|(name, _)| name == joint).map(|(_, values)| values.clone());
+    let options =
+        question.conditions.armature.iter().find(|(name, _)| name == joint).map(|(_, values)| values.clone());
     let own = || {
         let id = model.mechanism.find_joint(joint).ok()?;
         Some(model.mechanism.joint(id).armature().to_vec())
@@ -254,8 +255,8 @@ fn sample_masses(
             let own = armature(model, &question, &rotor.joint, rotor.per_armature.len());
             if own.iter().any(|value| *value > 0.0) {
                 let values = own.iter().map(|value| value * (1.0 + off(tolerance.armature))).collect();
-                question.armature.retain(|(joint, _)| *joint != rotor.joint);
-                question.armature.push((rotor.joint.clone(), values));
+                question.conditions.armature.retain(|(joint, _)| *joint != rotor.joint);
+                question.conditions.armature.push((rotor.joint.clone(), values));
             }
         }
         changed_mass(model, &question, &changes)

@@ -34,8 +34,6 @@ pub struct StudyContact {
     pub name: String,
     /// The question at this contact.
     pub question: MassQuestion,
-    /// Table of the contact.
-    pub(crate) table: ContactTable,
 }
 
 /// Deserializes one table or a list of tables. Errors keep their position in the file.
@@ -138,8 +136,7 @@ pub(crate) fn several_contacts(
         if let Some(part) = table.missing() {
             return Err(InvalidKey::new("contact", format!("{part} is missing")));
         }
-        let mut question = conditions.clone();
-        table.apply_to(&mut question)?;
+        let question = MassQuestion { contact: table.checked()?, ..conditions.clone() };
         let name =
             table.name.as_ref().or(table.at.as_ref()).or(table.link.as_ref()).cloned().unwrap_or_default();
         if all.iter().any(|other| other.name == name) {
@@ -149,7 +146,7 @@ pub(crate) fn several_contacts(
             );
             return Err(InvalidKey::new("contact.name", why));
         }
-        all.push(StudyContact { name, question, table: table.clone() });
+        all.push(StudyContact { name, question });
     }
     Ok(all)
 }

@@ -257,7 +257,9 @@ impl StudyFile {
                     true => contact.name.clone(),
                     false => format!("{name}: {}", contact.name),
                 };
-                designs.push(design(name, question.with_contact_of(&contact.question), Some(&contact.table)));
+                let contact = &contact.question.contact;
+                let question = MassQuestion { contact: contact.clone(), ..question.clone() };
+                designs.push(design(name, question, Some(contact)));
             }
         }
         designs
@@ -509,7 +511,7 @@ impl StudyReader<'_> {
                     let key = of_variant("contact");
                     return Err(self.value(&key, &key, format!("{part} is missing")));
                 }
-                contact.apply_to(&mut question).map_err(|refusal| {
+                question.contact = contact.checked().map_err(|refusal| {
                     let key = of_variant(refusal.key);
                     self.value(&key, &key, refusal.reason(Names::KEYS))
                 })?;

@@ -5,11 +5,10 @@ use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::{Field, Names};
-use crate::question::mass_question::{MassQuestion, Normal};
-use crate::question::tables::contact::{BaseName, ContactTable};
+use crate::question::mass_question::MassQuestion;
+use crate::question::tables::contact::{BaseName, ConditionsTable, ContactTable};
 use crate::reports::answer_mass::mass;
 use crate::reports::mass_report::MassReport;
-use crate::values::quantities::{Point, Vector};
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_mechanism::{ContactKind, LinkId, Mechanism, NamedContact};
 use percuss_units::{Dimension, Unit};
@@ -28,9 +27,8 @@ const LISTED: usize = 40;
 /// [`StudyError`]: loops that do not close, no contact with a result.
 pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
     let seen = check(model)?;
-    let base = if seen.degrees_of_freedom == 0 { Base::Floating } else { Base::Fixed };
-    let (question, report) = contact(model, base)?;
-    let conditions = Conditions::new().base(base);
+    let (question, report) = contact(model, base(&seen))?;
+    let conditions = Conditions::new().base(question.conditions.base());
     let system = System::new(Arc::clone(&model.mechanism), &conditions)
         .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
     let mechanism = &model.mechanism;
@@ -45,27 +43,17 @@ pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
 /// # Errors
 /// As for [`starting_study`].
 pub fn starting_contact(model: &Model) -> Result<(ContactTable, BaseName), StudyError> {
-    let base = if check(model)?.degrees_of_freedom == 0 { Base::Floating } else { Base::Fixed };
-    let (question, _) = contact(model, base)?;
-    let normal = match question.normal {
-        Normal::Along(normal) => Some(Vector(normal)),
-        Normal::About(..) | Normal::Toward(..) | Normal::TurningToward(..) | Normal::TurningAwayFrom(..) => {
-            None
-        }
-    };
-    let is_named = question.at.is_some();
-    let table = ContactTable {
-        at: question.at,
-        link: (!is_named).then_some(question.link),
-        point: (!is_named).then_some(Point(question.point)),
-        normal: normal.filter(|_| !is_named),
-        ..ContactTable::default()
-    };
-    Ok((table, if base == Base::Floating { BaseName::Floating } else { BaseName::Fixed }))
+    let (question, _) = contact(model, base(&check(model)?))?;
+    Ok((question.contact, question.conditions.base.unwrap_or_default()))
+}
+
+/// Base for which the mechanism moves.
+fn base(seen: &CheckReport) -> BaseName {
+    if seen.degrees_of_freedom == 0 { BaseName::Floating } else { BaseName::Fixed }
 }
 
 /// First contact with a finite mass at a regular pose; otherwise the best result found.
-fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), StudyError> {
+fn contact(model: &Model, base: BaseName) -> Result<(MassQuestion, MassReport), StudyError> {
     let rank = |report: &MassReport| match (report.status, report.singular_pose) {
         (Status::Finite, false) => 0,
         (Status::Finite, true) => 1,
@@ -90,22 +78,19 @@ fn contact(model: &Model, base: Base) -> Result<(MassQuestion, MassReport), Stud
     match (best, failed) {
         (Some(best), _) => Ok(best),
         (None, Some(error)) => Err(error),
-        (None, None) => mass(model, &MassQuestion::without_contact())
-            .map(|report| (MassQuestion::without_contact(), report)),
+        (None, None) => mass(model, &MassQuestion::default()).map(|report| (MassQuestion::default(), report)),
     }
 }
 
 /// Candidate contacts, in order of plausibility.
-fn candidate_contacts(model: &Model, base: Base) -> Vec<MassQuestion> {
+fn candidate_contacts(model: &Model, base: BaseName) -> Vec<MassQuestion> {
     let mechanism = &model.mechanism;
     let name = |id: LinkId| mechanism.link(id).name();
-    let of = |link: LinkId, point: [f64; 3], normal: Normal| MassQuestion {
-        link: name(link).to_owned(),
-        point,
-        normal,
-        base,
+    let of = |contact: ContactTable| MassQuestion {
+        contact,
+        conditions: ConditionsTable { base: Some(base), ..ConditionsTable::default() },
         names: Names::KEYS,
-        ..MassQuestion::without_contact()
+        ..MassQuestion::default()
     };
     let mut found = Vec::new();
     let mut named: Vec<&NamedContact> = mechanism.contacts().iter().collect();
@@ -113,16 +98,14 @@ fn candidate_contacts(model: &Model, base: Base) -> Vec<MassQuestion> {
     named.sort_by_key(|contact| {
         (contact.kind() != ContactKind::Stop, !contact.name().starts_with("bump_stop"))
     });
-    found.extend(named.into_iter().map(|contact| MassQuestion {
-        at: Some(contact.name().to_owned()),
-        base,
-        names: Names::KEYS,
-        ..MassQuestion::without_contact()
-    }));
+    let at = |contact: &NamedContact| Some(contact.name().to_owned());
+    found.extend(
+        named.into_iter().map(|contact| of(ContactTable { at: at(contact), ..ContactTable::default() })),
+    );
     for link in links_by_depth(mechanism) {
         for point in points(mechanism, link) {
             for axis in [[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]] {
-                found.push(of(link, point, Normal::Along(axis)));
+                found.push(of(ContactTable::at_point(name(link), point, axis)));
             }
         }
     }
@@ -205,7 +188,7 @@ impl StarterWriter<'_> {
         writeln!(out, "# All keys: docs/reference/STUDIES.md; `percuss schema` prints them for editors.\n")?;
         writeln!(out, "[model]\npath = {}\n", toml_string(path))?;
         self.links(out)?;
-        match &question.at {
+        match &question.contact.at {
             Some(name) => {
                 writeln!(out, "\n# A named contact of the model; a stop is brought to the touch.")?;
                 writeln!(out, "[contact]\nat = {}", toml_string(name))?;
@@ -217,7 +200,7 @@ impl StarterWriter<'_> {
             }
             None => self.contact(out)?,
         }
-        if question.base == Base::Floating {
+        if question.conditions.base() == Base::Floating {
             writeln!(out, "\n# With a fixed root nothing moves.\n[conditions]\nbase = \"floating\"")?;
         }
         self.pose(out)?;
@@ -253,11 +236,10 @@ impl StarterWriter<'_> {
             out,
             "\n# Point and normal are in the frame of the link. The normal points out of it; its length does not matter."
         )?;
-        let link = toml_string(&question.link);
-        writeln!(out, "[contact]\nlink = {link}\npoint = {}", triple(&question.point))?;
-        if let Normal::Along(normal) = &question.normal {
-            writeln!(out, "normal = {}", triple(normal))?;
-        }
+        let link = toml_string(question.contact.link());
+        writeln!(out, "[contact]\nlink = {link}\npoint = {}", triple(&question.contact.point()))?;
+        let normal = question.contact.normal.unwrap_or_default().0;
+        writeln!(out, "normal = {}", triple(&normal))?;
         writeln!(
             out,
             "#   against = \"LINK\": another link in place of the ground; or against_mass = \"2 kg\""

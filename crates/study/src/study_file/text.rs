@@ -131,6 +131,6 @@ impl StudyTables {
         max_size: u64,
     ) -> Result<MassQuestion, InvalidKey> {
         let Self { pose, conditions, hold, .. } = self;
-        contact.question(pose, conditions, hold, folder, max_size, Names::KEYS)
+        MassQuestion::of_tables(contact, pose, conditions, hold, Names::KEYS).checked(folder, max_size)
     }
 }

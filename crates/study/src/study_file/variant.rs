@@ -122,8 +122,8 @@ impl VariantText {
             moves: points(&self.moves),
         })?;
         let mut question = question.clone();
-        replace_by_name(&mut question.armature, &self.armature);
-        replace_by_name(&mut question.set, &self.set);
+        replace_by_name(&mut question.conditions.armature, &self.armature);
+        replace_by_name(&mut question.pose.set, &self.set);
         Ok(Variant { name: self.name.clone(), model, question, contact: self.contact.clone() })
     }
 }

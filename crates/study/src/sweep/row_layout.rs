@@ -87,7 +87,7 @@ impl RowLayout {
         let mut setting = Self::from_joints(prepared, &joints, Field::Vary);
         if let Some((points, offsets, moved)) = travel {
             let by_question =
-                prepared.question.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
+                prepared.question.pose.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
             let set = joints.into_iter().chain(by_question).collect();
             setting.travel = Some(LayoutTravel { points, offsets, set, moved });
             let column = VariedColumn {
@@ -214,7 +214,7 @@ fn constant_displacements(
 ) -> Result<Vec<f64>, StudyError> {
     let mechanism = prepared.system.mechanism();
     let mut offsets = vec![0.0; points.len()];
-    for travel in prepared.question.travel.iter().filter(|travel| travel.moved != *varied) {
+    for travel in prepared.question.pose.travel.iter().filter(|travel| travel.moved != *varied) {
         for moved in travel.moved.points(mechanism, Field::Travel, travel.distance)? {
             let of_point = points.iter().zip(&mut offsets).find(|(point, _)| point.link == moved.link);
             if let Some((_, offset)) = of_point {
@@ -249,7 +249,7 @@ fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, Stud
         let master = mechanism.joint(mimic.master).name();
         return Err(refuse(format!("\"{name}\": it mimics \"{master}\"; vary that joint").into()));
     }
-    if prepared.question.set.iter().any(|(set, _)| set == name) {
+    if prepared.question.pose.set.iter().any(|(set, _)| set == name) {
         return Err(refuse(Fault::VariedIsSet { joint: name.to_owned() }));
     }
     Ok(joint)

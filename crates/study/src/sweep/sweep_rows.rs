@@ -165,9 +165,9 @@ impl<'a> Sweep<'a> {
             varied: setting.columns.to_vec(),
             continuation: continuation(&prepared, &rows),
             seed,
-            link: prepared.question.link.clone(),
+            link: prepared.question.contact.link().to_owned(),
             unit: mass_unit(contact.normal.is_moment()),
-            contact: prepared.question.at.clone(),
+            contact: prepared.question.contact.at.clone(),
             motion_ratio_of: motion_ratio_of(&prepared, &setting),
             joints: PoseLayout::new(&model.mechanism),
             has_gap: gap.is_some(),
@@ -250,7 +250,7 @@ impl<'a> Sweep<'a> {
 /// Motion of the motion ratio of the rows; `None` for rows without a motion ratio.
 fn motion_ratio_of(prepared: &PreparedQuestion, layout: &RowLayout) -> Option<String> {
     let travel = layout.columns.last().filter(|_| layout.travels()).map(|travel| travel.name.clone());
-    travel.or_else(|| prepared.question.estimate.is_some().then(|| "estimate".to_owned()))
+    travel.or_else(|| prepared.question.contact.estimate.is_some().then(|| "estimate".to_owned()))
 }
 
 /// True if a joint is among the varied columns.
@@ -266,7 +266,7 @@ fn are_motions_beside_range(travels: &[GivenTravel], ranges: &[Vary]) -> bool {
 
 /// Appends a travel of the question to the ranges, as last range with one value.
 fn append_travel(prepared: &PreparedQuestion, source: RowSource) -> Result<RowSource, StudyError> {
-    match (&prepared.question.travel[..], source) {
+    match (&prepared.question.pose.travel[..], source) {
         ([], source) => Ok(source),
         // A constant roll beside a range of heave, or the reverse.
         (travels, RowSource::Grid(ranges)) if are_motions_beside_range(travels, &ranges) => {

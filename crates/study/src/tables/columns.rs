@@ -71,7 +71,7 @@ impl Columns {
                 let master = mechanism.joint(mimic.master).name().to_owned();
                 return Err(refuse(TableFault::Mimic { joint: joint.name().to_owned(), master }));
             }
-            if prepared.question.set.iter().any(|(set, _)| set == joint.name()) {
+            if prepared.question.pose.set.iter().any(|(set, _)| set == joint.name()) {
                 return Err(refuse(TableFault::IsSet { joint: joint.name().to_owned() }));
             }
             if let Some(first) = found.iter().position(|other| other.is_some_and(|(n, _)| n == number)) {
@@ -121,7 +121,7 @@ impl Columns {
         let mechanism = prepared.system.mechanism();
         let is_set = |joint: &JointId| {
             let name = mechanism.joint(*joint).name();
-            self.joints.contains(joint) || prepared.question.set.iter().any(|(set, _)| set == name)
+            self.joints.contains(joint) || prepared.question.pose.set.iter().any(|(set, _)| set == name)
         };
         let unset = joints.filter(|joint| !is_set(joint));
         let columns =

@@ -11,9 +11,7 @@ use base64::engine::general_purpose::STANDARD;
 use percuss_explorer::{ENGINE, PageContent, page};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
 use percuss_render::MADE_BY;
-use percuss_study::{
-    Model, ModelTable, Names, PageTables, PoseTable, SceneShapes, StudyFile, mass, scene_shapes,
-};
+use percuss_study::{Model, ModelTable, Names, PageTables, SceneShapes, StudyFile, mass, scene_shapes};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -118,13 +116,10 @@ fn page_text(first: &FirstQuestion) -> Result<String, Failure> {
 /// Tables of the flags. Without a contact, the page chooses the first one with a result.
 fn of_flags(args: &ExploreArgs) -> Result<PageTables, Failure> {
     let given = &args.contact;
-    let conditions = given.conditions()?;
-    let file = given.pose.file.clone();
-    let pose = PoseTable { set: conditions.set, guess: conditions.guess, travel: conditions.travel, file };
     Ok(PageTables {
         model: ModelTable { path: args.model.model.clone(), ..args.model.reading.changes.clone() },
         contact: given.contact.clone(),
-        pose,
+        pose: given.conditions()?.pose,
         conditions: given.conditions.clone(),
         hold: given.hold.clone(),
         ..PageTables::default()

@@ -105,12 +105,12 @@ fn question_at(question: &MassQuestion, model: &Model, varied: &Varied, value: f
     let mut question = question.clone();
     match varied {
         Varied::Travel(moved) => {
-            question.travel.push(GivenTravel { moved: moved.clone(), distance: value });
+            question.pose.travel.push(GivenTravel { moved: moved.clone(), distance: value });
         }
         Varied::Joint(joint) => {
             model.mechanism.find_joint(joint).ok()?;
-            question.set.retain(|(other, _)| other != joint);
-            question.set.push((joint.clone(), GivenPosition::from_numbers(&[value]).ok()?));
+            question.pose.set.retain(|(other, _)| other != joint);
+            question.pose.set.push((joint.clone(), GivenPosition::from_numbers(&[value]).ok()?));
         }
     }
     Some(question)

@@ -2,12 +2,10 @@
 
 #[cfg(feature = "flags")]
 use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
-use crate::model::loading::refuse_pipe;
+use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::field::{Field, Names};
-use crate::question::mass_question::{EstimateQuestion, Hold, MassQuestion, Normal, RatioPoint};
-use crate::question::pose_file::GivenPose;
-use crate::question::row_source::path_in;
+use crate::question::field::Field;
+use crate::question::mass_question::{EstimateQuestion, RatioPoint};
 use crate::question::travel::given_travel::GivenTravel;
 use crate::values::drives::{self, GivenSpring};
 #[cfg(feature = "flags")]
@@ -15,12 +13,12 @@ use crate::values::named;
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{LinkPoint, Point, PositiveMass, Vector};
 use crate::values::value::{self, NumberOrText, OneOrMany, PositionText, Words};
-use percuss_dynamics::{Base, Frame};
+use percuss_dynamics::{Base, Contact, Direction, Frame};
+use percuss_mechanism::{LinkId, Mechanism};
+use percuss_spatial::Vector3;
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::collections::BTreeMap;
-use std::fmt::Display;
-use std::path::Path;
 
 /// Frame of a contact point or a normal.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Deserialize, Serialize, JsonSchema)]
@@ -34,6 +32,16 @@ pub enum FrameName {
     World,
     /// Frame of the other link.
     Against,
+}
+
+impl From<Frame> for FrameName {
+    fn from(frame: Frame) -> Self {
+        match frame {
+            Frame::Link => FrameName::Link,
+            Frame::World => FrameName::World,
+            Frame::Against => FrameName::Against,
+        }
+    }
 }
 
 impl From<FrameName> for Frame {
@@ -56,6 +64,15 @@ pub enum BaseName {
     Fixed,
     /// Free to move.
     Floating,
+}
+
+impl From<Base> for BaseName {
+    fn from(base: Base) -> Self {
+        match base {
+            Base::Fixed => BaseName::Fixed,
+            Base::Floating => BaseName::Floating,
+        }
+    }
 }
 
 impl From<BaseName> for Base {
@@ -308,44 +325,10 @@ pub struct ConditionsTable {
 }
 
 impl ContactTable {
-    /// Question at this contact, which may be incomplete, with its pose, conditions and held points. Paths are relative to `folder`; a pose
-    /// file has at most `max_size` bytes.
-    ///
-    /// # Errors
-    /// [`InvalidKey`]: keys that exclude each other, or an unreadable file of positions.
-    pub fn question(
-        &self,
-        pose: &PoseTable,
-        conditions: &ConditionsTable,
-        hold: &[Hold],
-        folder: &Path,
-        max_size: u64,
-        names: Names,
-    ) -> Result<MassQuestion, InvalidKey> {
-        let read = |file: &String| {
-            // The standard input and absolute paths are kept.
-            let path = path_in(folder, file);
-            let refuse = |error: &dyn Display| InvalidKey::new(Field::Pose.key(), error.to_string());
-            if matches!(names, Names::Keys(_)) {
-                refuse_pipe(&path).map_err(|error| refuse(&error))?;
-            }
-            GivenPose::read_as(&path, file, max_size).map_err(|error| refuse(&error))
-        };
-        let mut question = MassQuestion {
-            set: pose.set.clone(),
-            guess: pose.guess.clone(),
-            pose: pose.file.as_ref().map(read).transpose()?,
-            travel: pose.travel.clone(),
-            lock: conditions.lock.clone(),
-            hold: hold.to_vec(),
-            armature: conditions.armature.clone(),
-            gear_stiffness: conditions.gear_stiffness.clone(),
-            base: conditions.base.unwrap_or_default().into(),
-            names,
-            ..MassQuestion::without_contact()
-        };
-        self.apply_to(&mut question)?;
-        Ok(question)
+    /// Contact of a point (m) of a link along a normal, both in the frame of the link.
+    pub fn at_point(link: impl Into<String>, point: [f64; 3], normal: [f64; 3]) -> Self {
+        let (point, normal) = (Some(Point(point)), Some(Vector(normal)));
+        Self { link: Some(link.into()), point, normal, ..Self::default() }
     }
 
     /// First missing part of the contact.
@@ -363,60 +346,40 @@ impl ContactTable {
         parts.into_iter().find(|(_, is_there)| !is_there).map(|(part, _)| part)
     }
 
-    /// Replaces the contact of a question; the contact may be incomplete.
+    /// Table with checked keys, which may be incomplete. Without a free body, the other side of a cable is the link of its end.
     ///
     /// # Errors
     /// [`InvalidKey`]: keys that exclude each other.
-    pub(crate) fn apply_to(&self, question: &mut MassQuestion) -> Result<(), InvalidKey> {
+    pub(crate) fn checked(&self) -> Result<Self, InvalidKey> {
         self.check_axis()?;
-        let normal = match (&self.along_line, self.normal) {
-            (None, None) if self.about_axis.is_some() => Normal::About(self.about_axis.unwrap_or_default().0),
-            (None, _) if self.turning_normal => {
-                return Err(InvalidKey::new("contact.turning_normal", "it requires `along_line`"));
-            }
-            (None, _) if self.cable => {
-                return Err(InvalidKey::new("contact.cable", "it requires `along_line`"));
-            }
-            (Some(_), _) if self.cable && self.turning_normal => {
-                return Err(InvalidKey::new("contact", "give either `cable` or `turning_normal`"));
-            }
-            (Some(line), None) if self.cable => Normal::TurningAwayFrom(line.link.clone(), line.point.0),
-            (Some(line), None) if self.turning_normal => {
-                Normal::TurningToward(line.link.clone(), line.point.0)
-            }
-            (Some(line), None) => Normal::Toward(line.link.clone(), line.point.0),
-            (None, normal) => Normal::Along(normal.unwrap_or_default().0),
-            (Some(_), Some(_)) => {
-                return Err(InvalidKey::new("contact", "give either `normal` or `along_line`"));
-            }
-        };
+        let refuse = |key, why| Err(InvalidKey::new(key, why));
+        let has_line = self.along_line.is_some();
+        if self.turning_normal && !has_line {
+            return refuse("contact.turning_normal", "it requires `along_line`");
+        }
+        if self.cable && !has_line {
+            return refuse("contact.cable", "it requires `along_line`");
+        }
+        if self.cable && self.turning_normal {
+            return refuse("contact", "give either `cable` or `turning_normal`");
+        }
+        if has_line && self.normal.is_some() {
+            return refuse("contact", "give either `normal` or `along_line`");
+        }
         let with_normal = Self { normal: None, normal_frame: None, ..self.clone() };
         if self.at.is_some() && (!with_normal.has_no_geometry() || self.against.is_some()) {
             let why = "it names a contact of the model: remove `link`, `point`, `along_line`, `about_axis`, `frame` and `against`";
-            return Err(InvalidKey::new("contact.at", why));
+            return refuse("contact.at", why);
         }
         if self.against.is_some() && self.against_mass.is_some() {
-            return Err(InvalidKey::new("contact", "give either `against` or `against_mass`"));
+            return refuse("contact", "give either `against` or `against_mass`");
         }
         if self.estimate.as_ref().is_some_and(|estimate| estimate.links.is_empty()) {
-            return Err(InvalidKey::new("contact.estimate.links", "it is empty; name at least one link"));
+            return refuse("contact.estimate.links", "it is empty; name at least one link");
         }
-        let frame = self.frame.unwrap_or_default();
-        // For a moment, `frame` is the frame of the axis; the unused point has the link frame.
-        let point_frame = if self.about_axis.is_some() { FrameName::Link } else { frame };
-        question.at.clone_from(&self.at);
-        question.link = self.link.clone().unwrap_or_default();
-        question.point = self.point.unwrap_or_default().0;
-        question.normal = normal;
-        question.frame = point_frame.into();
-        question.normal_frame = self.normal_frame.unwrap_or(frame).into();
-        let far_end = self.along_line.iter().filter(|_| self.cable && self.against_mass.is_none());
-        let far_end = far_end.map(|line| line.link.clone()).next();
-        question.against = self.against.clone().or(far_end);
-        question.against_mass = self.against_mass.map(|mass| mass.0);
-        question.estimate.clone_from(&self.estimate);
-        question.ratio_at.clone_from(&self.ratio_at);
-        Ok(())
+        let end = self.along_line.as_ref().filter(|_| self.cable && self.against_mass.is_none());
+        let against = self.against.clone().or(end.map(|line| line.link.clone()));
+        Ok(Self { against, ..self.clone() })
     }
 
     /// Refuses keys that exclude a moment about an axis.
@@ -448,26 +411,126 @@ impl ContactTable {
 
     /// True without link, point, normal and frame.
     fn has_no_geometry(&self) -> bool {
-        let Self {
-            link,
-            point,
-            normal,
-            along_line,
-            about_axis,
-            turning_normal,
-            cable,
-            frame,
-            normal_frame,
-            ..
-        } = self;
-        link.is_none()
-            && point.is_none()
-            && normal.is_none()
-            && along_line.is_none()
-            && about_axis.is_none()
-            && !turning_normal
-            && !cable
-            && frame.is_none()
-            && normal_frame.is_none()
+        let other = Self {
+            at: self.at.clone(),
+            against: self.against.clone(),
+            name: self.name.clone(),
+            ..self.without_geometry()
+        };
+        *self == other
+    }
+
+    /// Table without a contact: the free body on the other side, the estimate and the motion ratios.
+    pub(crate) fn without_geometry(&self) -> Self {
+        let (against_mass, estimate, ratio_at) =
+            (self.against_mass, self.estimate.clone(), self.ratio_at.clone());
+        Self { against_mass, estimate, ratio_at, ..Self::default() }
+    }
+
+    /// Name of the contact link; empty without a link.
+    pub(crate) fn link(&self) -> &str {
+        self.link.as_deref().unwrap_or_default()
+    }
+
+    /// The contact point, m, in its frame.
+    pub(crate) fn point(&self) -> [f64; 3] {
+        self.point.unwrap_or_default().0
+    }
+
+    /// Frame of the point. For a moment, `frame` is the frame of the axis, and the unused point has the link frame.
+    pub(crate) fn frame(&self) -> Frame {
+        if self.about_axis.is_some() { Frame::Link } else { self.frame.unwrap_or_default().into() }
+    }
+
+    /// Frame of a normal or an axis.
+    pub(crate) fn normal_frame(&self) -> Frame {
+        self.normal_frame.or(self.frame).unwrap_or_default().into()
+    }
+
+    /// True if the table has a normal of its own, an axis or a line.
+    pub(crate) fn has_normal(&self) -> bool {
+        let is_given = self.normal.is_some_and(|normal| normal.0 != [0.0; 3]);
+        is_given || self.about_axis.is_some() || self.along_line.is_some()
+    }
+
+    /// Mass of the free body on the other side, kg.
+    pub(crate) fn against_mass(&self) -> Option<f64> {
+        self.against_mass.map(|mass| mass.0)
+    }
+
+    /// Normal, or axis of a moment.
+    ///
+    /// # Errors
+    /// Unknown link of a line.
+    pub(crate) fn direction(&self, mechanism: &Mechanism) -> Result<Direction, StudyError> {
+        let Some(line) = &self.along_line else {
+            return Ok(match self.about_axis {
+                Some(axis) => Direction::About(axis.0.into(), self.normal_frame()),
+                None => Direction::Along(self.normal.unwrap_or_default().0.into(), self.normal_frame()),
+            });
+        };
+        let link =
+            mechanism.find_link(&line.link).map_err(|error| StudyError::input(Field::AlongLine, error))?;
+        let direction = match (self.cable, self.turning_normal) {
+            (true, _) => Direction::TurningAwayFrom,
+            (_, true) => Direction::TurningToward,
+            _ => Direction::Toward,
+        };
+        Ok(direction(link, line.point.0.into()))
+    }
+
+    /// The table with another normal or axis; the other side remains.
+    pub(crate) fn with_direction(&self, direction: Direction, name: impl Fn(LinkId) -> String) -> Self {
+        let mut table = Self {
+            point: self.point,
+            link: self.link.clone(),
+            at: self.at.clone(),
+            name: self.name.clone(),
+            frame: Some(self.frame().into()),
+            against: self.against.clone(),
+            ..self.without_geometry()
+        };
+        let line =
+            |link, point: Vector3<f64>| Some(LinkPoint { link: name(link), point: Point(point.into()) });
+        match direction {
+            Direction::Along(normal, frame) => {
+                (table.normal, table.normal_frame) = (Some(Vector(normal.into())), Some(frame.into()));
+            }
+            Direction::About(axis, frame) => {
+                (table.about_axis, table.normal_frame) = (Some(Vector(axis.into())), Some(frame.into()));
+            }
+            Direction::Toward(link, point) => table.along_line = line(link, point),
+            Direction::TurningToward(link, point) => {
+                (table.along_line, table.turning_normal) = (line(link, point), true);
+            }
+            Direction::TurningAwayFrom(link, point) => {
+                (table.along_line, table.cable) = (line(link, point), true);
+            }
+        }
+        table
+    }
+
+    /// The table with another normal; the other side remains.
+    pub(crate) fn with_normal(&self, normal: [f64; 3], frame: Frame) -> Self {
+        self.with_direction(Direction::Along(normal.into(), frame), |_| String::new())
+    }
+
+    /// The table with the link, point, normal and other side of a contact of a mechanism.
+    pub fn with_contact(&self, contact: &Contact, mechanism: &Mechanism) -> Self {
+        let name = |link| mechanism.link(link).name().to_owned();
+        Self {
+            link: Some(name(contact.link)),
+            point: Some(Point(contact.point.into())),
+            frame: None,
+            against: contact.against.map(name),
+            ..self.with_direction(contact.normal, name)
+        }
+    }
+}
+
+impl ConditionsTable {
+    /// Root link fixed or floating.
+    pub(crate) fn base(&self) -> Base {
+        self.base.unwrap_or_default().into()
     }
 }

@@ -255,7 +255,7 @@ impl KinematicsQuestion {
 
     /// Sets the travels of the wheels and the position of the rack of a pose, apart from the variable of the rows.
     pub(crate) fn set_state(&mut self, pose: &MassQuestion, varied: Option<KinematicVariable>) {
-        for travel in &pose.travel {
+        for travel in &pose.pose.travel {
             let Moved::Wheels(motion) = travel.moved else { continue };
             let is_beside = match varied {
                 Some(KinematicVariable::Wheels(varied)) => travel.moved.is_beside(&Moved::Wheels(varied)),
@@ -265,7 +265,7 @@ impl KinematicsQuestion {
                 self.state.push((KinematicVariable::Wheels(motion), travel.distance));
             }
         }
-        let rack = pose.set.iter().find(|(joint, _)| joint == RACK);
+        let rack = pose.pose.set.iter().find(|(joint, _)| joint == RACK);
         let at = rack.and_then(|(_, position)| position.values_for_joint(JointKind::Prismatic).ok());
         if let Some(&[at]) = at.as_deref().filter(|_| varied != Some(KinematicVariable::Steer)) {
             self.state.push((KinematicVariable::Steer, at));

@@ -5,6 +5,7 @@ use super::headings::{OUTPUT, READING, SURFACE};
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::path_in;
+use crate::question::tables::contact::ContactTable;
 use crate::question::tables::sweep::{DecimalSign, StudyTable, TableUnit};
 #[cfg(feature = "flags")]
 use crate::values::named;
@@ -115,7 +116,7 @@ impl MapQuestion {
     /// [`InvalidKey`]: no link, or keys that exclude each other.
     pub fn checked(&self, contact: &MassQuestion, folder: &Path) -> Result<Self, InvalidKey> {
         let refuse = |key, why: &'static str| Err(InvalidKey::new(key, why));
-        let of_contact = Some(contact.link.clone()).filter(|link| !link.is_empty());
+        let of_contact = contact.contact.link.clone();
         let link = if self.link.is_empty() { of_contact.into_iter().collect() } else { self.link.clone() };
         if self.all && !self.link.is_empty() {
             return refuse("map", "give either `link` or `all`");
@@ -151,12 +152,14 @@ impl MapQuestion {
 
     /// Question at the point of the directions.
     pub(crate) fn point_question(&self, contact: &MassQuestion) -> MassQuestion {
-        MassQuestion {
-            link: self.link.first().unwrap_or(&contact.link).clone(),
-            point: self.point.map_or(contact.point, |point| point.0),
+        let given = &contact.contact;
+        let contact_of_map = ContactTable {
+            link: self.link.first().or(given.link.as_ref()).cloned(),
+            point: self.point.or(given.point),
             estimate: None,
-            ..contact.clone()
-        }
+            ..given.clone()
+        };
+        MassQuestion { contact: contact_of_map, ..contact.clone() }
     }
 
     /// Style of the tables.

@@ -2,6 +2,7 @@
 
 use crate::model::loading::Model;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
 use crate::thresholds::{EQUAL_VALUES, SLENDER_ROD};
 use nalgebra::Vector3;
 use schemars::JsonSchema;
@@ -61,13 +62,21 @@ pub(crate) fn design_changes(
             changes.push(DesignChange { kind, name: String::new(), reference: None, value: None });
         }
     };
-    let contact =
-        |q: &MassQuestion| (q.at.clone(), q.link.clone(), q.point, q.normal.clone(), q.against.clone());
+    let contact = |q: &MassQuestion| ContactTable {
+        name: None,
+        against_mass: None,
+        estimate: None,
+        ratio_at: Vec::new(),
+        ..q.contact.clone()
+    };
     differs(ChangeKind::Contact, contact(before) != contact(after));
-    let pose = |q: &MassQuestion| (q.set.clone(), q.guess.clone(), q.travel.clone(), q.pose.is_some());
-    differs(ChangeKind::Pose, pose(before) != pose(after));
-    let conditions =
-        |q: &MassQuestion| (q.base, q.lock.clone(), q.armature.clone(), q.hold.clone(), q.against_mass);
+    let pose = |q: &MassQuestion| PoseTable { file: None, ..q.pose.clone() };
+    let is_given = |q: &MassQuestion| q.positions.is_some();
+    differs(ChangeKind::Pose, pose(before) != pose(after) || is_given(before) != is_given(after));
+    let conditions = |q: &MassQuestion| {
+        let base = Some(q.conditions.base.unwrap_or_default());
+        (ConditionsTable { base, ..q.conditions.clone() }, q.hold.clone(), q.contact.against_mass)
+    };
     differs(ChangeKind::Conditions, conditions(before) != conditions(after));
     changes
 }

@@ -229,7 +229,7 @@ fn record(
 ) -> Result<DesignRecord, CompareError> {
     let mut record = DesignRecord {
         name: design.name.clone(),
-        contact: design.question.at.clone(),
+        contact: design.question.contact.at.clone(),
         reference: None,
         inputs: design.model.inputs.clone(),
         status: None,

@@ -227,7 +227,7 @@ pub fn link_frames(model: &Model, question: &MassQuestion) -> Result<Frames, Stu
 /// [`StudyError`]: loops that do not close.
 pub fn scene(model: &Model) -> Result<Scene, StudyError> {
     let mechanism = &model.mechanism;
-    let system = compile(mechanism, &MassQuestion::without_contact(), None)?;
+    let system = compile(mechanism, &MassQuestion::default(), None)?;
     let pose = system.pose(&system.configuration())?;
     let drivers = pose.loops().map_or(&[][..], |loops| &loops.drivers);
     let points = characteristic_points(mechanism);

@@ -75,7 +75,7 @@ pub fn generate_code(
     let contact = prepared.contact_at(&pose);
     let mechanism = &model.mechanism;
     let mut armatures = Vec::new();
-    for (joint, values) in &question.armature {
+    for (joint, values) in &question.conditions.armature {
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Armature, error))?;
         armatures.push((id, values.clone()));
     }

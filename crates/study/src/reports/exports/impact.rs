@@ -185,7 +185,7 @@ fn exported_impact(
         false => None,
     };
     let mechanism = &model.mechanism;
-    let (state, floating) = match question.base {
+    let (state, floating) = match question.conditions.base() {
         Base::Fixed => (state(&evaluated, speed)?, None),
         Base::Floating => {
             let (mechanism, state) = with_floating_root(mechanism, state(&evaluated, speed)?)?;
@@ -327,15 +327,19 @@ fn unreached_finding(
 fn refuse_conditions(question: &MassQuestion) -> Result<(), StudyError> {
     let in_model = "write it into the model file";
     let conditions = [
-        (!question.lock.is_empty(), Field::Lock, "replace the joint by a fixed joint in the model file"),
-        (!question.hold.is_empty(), Field::Hold, "add a loop to the model file"),
-        (!question.armature.is_empty(), Field::Armature, in_model),
         (
-            question.against_mass.is_some(),
+            !question.conditions.lock.is_empty(),
+            Field::Lock,
+            "replace the joint by a fixed joint in the model file",
+        ),
+        (!question.hold.is_empty(), Field::Hold, "add a loop to the model file"),
+        (!question.conditions.armature.is_empty(), Field::Armature, in_model),
+        (
+            question.contact.against_mass().is_some(),
             Field::AgainstMass,
             "add the body to the model file and name it by --against",
         ),
-        (question.estimate.is_some(), Field::Estimate, "use percuss mass"),
+        (question.contact.estimate.is_some(), Field::Estimate, "use percuss mass"),
     ];
     match conditions.into_iter().find(|(is_given, ..)| *is_given) {
         Some((_, condition, remedy)) => Err(not_written(condition, remedy)),

@@ -5,6 +5,7 @@ use crate::evaluation::status::Status;
 use crate::question::errors::question_error::StudyError;
 use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
+use crate::question::tables::contact::ConditionsTable;
 use percuss_dynamics::{Configuration, EffectiveMass, Pose};
 use percuss_impact::{held_point_mass, locked_body_masses};
 use schemars::JsonSchema;
@@ -35,14 +36,10 @@ pub(crate) fn mass_states(evaluated: &EvaluatedQuestion) -> Result<Vec<MassState
     let question = &*prepared.question;
     let name = |joint| mechanism.joint(joint).name().to_owned();
     let has_rotor = |joint: &_| pose.armature(*joint).iter().any(|armature| *armature != 0.0);
-    let decoupled = MassQuestion {
-        armature: mechanism
-            .joint_ids()
-            .filter(has_rotor)
-            .map(|joint| (name(joint), vec![0.0; pose.armature(joint).len()]))
-            .collect(),
-        ..question.clone()
-    };
+    let rotors = mechanism.joint_ids().filter(has_rotor);
+    let armature = rotors.map(|joint| (name(joint), vec![0.0; pose.armature(joint).len()])).collect();
+    let conditions = ConditionsTable { armature, ..question.conditions.clone() };
+    let decoupled = MassQuestion { conditions, ..question.clone() };
     let response = |pose: &Pose| -> Result<[EffectiveMass; 2], StudyError> {
         let found = pose.respond(&evaluated.contact)?;
         let sticking = held_point_mass(pose, &found.contact);

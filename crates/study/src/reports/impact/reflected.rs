@@ -174,7 +174,7 @@ pub fn reflected_inertias(
     let of_pose = collect_pose_findings(&system, &pose, question.names)
         .into_iter()
         .chain(condition_findings(&model.mechanism, question))
-        .chain(guess_findings(&system, &pose, &configuration, &question.guess, question.names))
+        .chain(guess_findings(&system, &pose, &configuration, &question.pose.guess, question.names))
         .chain(point_mass_base_finding(&system))
         .chain(found);
     let mechanism = &model.mechanism;
@@ -185,7 +185,7 @@ pub fn reflected_inertias(
         inputs: model
             .inputs
             .iter()
-            .chain(question.pose.iter().filter_map(GivenPose::file))
+            .chain(question.positions.iter().filter_map(GivenPose::file))
             .cloned()
             .collect(),
         pose: Positions::from_pose(&PoseLayout::new(mechanism), &pose),
@@ -201,7 +201,7 @@ impl PosedModel<'_> {
     /// Joints whose positions are given: they drive.
     fn set_joints(&self) -> Vec<JointId> {
         let find = |(joint, _): &(String, _)| self.model.mechanism.find_joint(joint).ok();
-        self.question.set.iter().filter_map(find).collect()
+        self.question.pose.set.iter().filter_map(find).collect()
     }
 }
 
@@ -298,7 +298,7 @@ pub(crate) fn reflected_over(
         };
         // A contact at the stop of this joint sets the position of the joint only for the impact, not for the range.
         let is_stop = posed.question.stop_of_joint(mechanism).is_some_and(|(stop, _)| stop == joint);
-        if !is_stop && posed.question.set.iter().any(|(set, _)| set == name) {
+        if !is_stop && posed.question.pose.set.iter().any(|(set, _)| set == name) {
             return Err(refuse(Fault::VariedIsSet { joint: name.to_owned() }));
         }
         let values = range.values(dimension).map_err(|error| refuse(error.into()))?;

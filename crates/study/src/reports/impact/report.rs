@@ -421,7 +421,7 @@ fn motion_before(
     impact: &ImpactQuestion,
 ) -> Result<(f64, Option<JointRates>), StudyError> {
     let EvaluatedQuestion { prepared, pose, result, .. } = evaluated;
-    let is_fixed = prepared.question.base == Base::Fixed;
+    let is_fixed = prepared.question.conditions.base() == Base::Fixed;
     if !impact.base_twist.is_empty() && is_fixed {
         let why = "the base is fixed; a velocity requires a floating base";
         return Err(StudyError::input(Field::BaseTwist, why));
@@ -475,8 +475,9 @@ fn motion_before(
 /// Finding about a floating base without a given velocity, if rates of joints are given.
 fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Option<Finding> {
     let question = &evaluated.prepared.question;
-    let is_assumed =
-        question.base == Base::Floating && !impact.rates.is_empty() && impact.base_twist.is_empty();
+    let is_assumed = question.conditions.base() == Base::Floating
+        && !impact.rates.is_empty()
+        && impact.base_twist.is_empty();
     let mechanism = &evaluated.prepared.model.mechanism;
     is_assumed.then(|| {
         let message = format!(
@@ -525,7 +526,7 @@ fn joint_rates(pose: &Pose, rigid: &RigidImpact) -> Vec<JointRateRecord> {
 fn base_rates(evaluated: &EvaluatedQuestion, rigid: &RigidImpact) -> Option<BaseRateRecord> {
     let x_wr = evaluated.pose.base();
     let world = |v: &Vector3<f64>| x_wr.vector(v).into();
-    (evaluated.prepared.question.base == Base::Floating).then(|| BaseRateRecord {
+    (evaluated.prepared.question.conditions.base() == Base::Floating).then(|| BaseRateRecord {
         angular_before: world(&rigid.before.base.angular),
         linear_before: world(&rigid.before.base.linear),
         angular_after: world(&rigid.after.base.angular),

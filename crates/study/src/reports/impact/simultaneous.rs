@@ -143,7 +143,9 @@ pub(crate) fn simultaneous(
     let refuse = |error: ImpactError| several_error(error, question);
     let mut located = vec![result.response.contact];
     let mut masses = vec![result.response.effective_mass.kilograms()];
-    let mut names = vec![prepared.question.at.clone().unwrap_or_else(|| prepared.question.link.clone())];
+    let mut names = vec![
+        prepared.question.contact.at.clone().unwrap_or_else(|| prepared.question.contact.link().to_owned()),
+    ];
     let mut gaps = vec![None];
     for contact in &question.also {
         let touching = TouchingContact::new(evaluated, contact)?;

@@ -70,7 +70,7 @@ pub(super) fn contact_impact(
     impact: &DampingQuestion,
     factors: ContactFactors,
 ) -> Result<ContactImpact, StudyError> {
-    let at_contact = MassQuestion::without_contact().at_contact(name);
+    let at_contact = MassQuestion::default().at_contact(name);
     let evaluated = EvaluatedQuestion::new(model, &at_contact)?;
     let (mut question, _) = with_sheet_curve(&evaluated, impact)?;
     require_stiffness(&question)?;

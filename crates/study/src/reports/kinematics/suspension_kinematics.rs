@@ -40,10 +40,10 @@ impl SuspensionKinematics {
         let sheet = origin.sheet.as_movable(steers && !rack_slides);
         let built = Model::from_sheet(&sheet, &[], model.inputs.clone()).map_err(DesignError::from)?;
         let model = built.with_changes(&model.origin.changes)?;
-        let mut question = MassQuestion::without_contact();
+        let mut question = MassQuestion::default();
         // A rack that the sheet fixes does not move in the impact.
         let is_locked = sliding_rack(&model.mechanism).is_some() && !rack_slides;
-        question.lock.extend(is_locked.then(|| RACK.to_owned()));
+        question.conditions.lock.extend(is_locked.then(|| RACK.to_owned()));
         let system = compile(&model.mechanism, &question, None)?;
         let drawn = system.pose(&system.configuration()).map_err(StudyError::from)?;
         let parts = SuspensionParts::new(drawn, &origin.understood)?;
@@ -65,7 +65,7 @@ impl SuspensionKinematics {
             match variable {
                 KinematicVariable::Wheels(motion) => {
                     let travel = GivenTravel { moved: Moved::Wheels(*motion), distance: *value };
-                    question.travel.push(travel);
+                    question.pose.travel.push(travel);
                 }
                 KinematicVariable::Steer if self.parts.rack.is_none() => return Err(KinematicsError::NoRack),
                 KinematicVariable::Steer => {
@@ -74,7 +74,7 @@ impl SuspensionKinematics {
                         let joint = RACK.to_owned();
                         StudyError::input(Field::Set, Fault::Position { joint, source })
                     })?;
-                    question.set.push((RACK.to_owned(), position));
+                    question.pose.set.push((RACK.to_owned(), position));
                 }
             }
         }

@@ -199,7 +199,7 @@ impl Designs<'_> {
                 if is_required(CONTACT_MASS) {
                     let name = format!("{CONTACT_MASS}{}", contact.name());
                     // A stop at its touch.
-                    let question = MassQuestion::without_contact().at_contact(contact.name());
+                    let question = MassQuestion::default().at_contact(contact.name());
                     values.0.push(mass_value(&model, name, &question));
                 }
             }
