@@ -4,7 +4,6 @@ use crate::model::changes::Changes;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::thresholds::{LARGEST_COORDINATE, MAX_MASS_RATIO};
 use percuss_formats::{LoadError, inertia_of_shapes};
 use percuss_mechanism::{
@@ -48,7 +47,7 @@ impl Model {
             }
             (_, None) => {
                 let path = self.inputs.first().map_or_else(String::new, |input| input.path.clone());
-                return Err(StudyError::input(Field::Move, no_sheet(&path)).into());
+                return Err(StudyError::input("model.move", no_sheet(&path)).into());
             }
         };
         if to_do.changes_inertia() {
@@ -86,7 +85,7 @@ impl Model {
         if !other.origin.closures.is_empty() {
             let closures = other.origin.closures.iter().cloned();
             let builder = closures.fold(self.mechanism.to_builder(), |b, closure| b.closure(closure));
-            self.mechanism = Arc::new(builder.build().map_err(build_error_as_fault(Field::Model))?.mechanism);
+            self.mechanism = Arc::new(builder.build().map_err(build_error_as_fault("model.path"))?.mechanism);
             self.origin.closures.clone_from(&other.origin.closures);
         }
         if !other.origin.bushes.is_empty() {
@@ -102,7 +101,7 @@ impl Model {
 }
 
 /// Conversion of a build error to an invalid field, with the first finding about a link.
-fn build_error_as_fault(field: Field) -> impl Fn(BuildError) -> StudyError {
+fn build_error_as_fault(field: &'static str) -> impl Fn(BuildError) -> StudyError {
     move |error| {
         let of_link = |(subject, _): &&(Subject, Problem)| matches!(subject, Subject::Link { .. });
         let message = error
@@ -161,13 +160,13 @@ fn with_masses_of_shapes(
         let why = format!(
             "the density is {density} kg/m³; a finite number above 0 is expected, such as shapes:2700"
         );
-        return Err(StudyError::input(Field::Masses, why));
+        return Err(StudyError::input("model.masses", why));
     }
     let (folders, mut max_size) = (model.mesh_folders(Vec::new()), MESHES_OF_MASSES);
     let (mut inertials, mut without) = (BTreeMap::new(), Vec::new());
     for (link, shapes) in mechanism.links().iter().zip(model.shapes.iter()) {
         let found = inertia_of_shapes(shapes, density, &folders, &mut max_size).map_err(|error| {
-            StudyError::input(Field::Masses, format!("link \"{}\": {error}", link.name()))
+            StudyError::input("model.masses", format!("link \"{}\": {error}", link.name()))
         })?;
         match found {
             Some(inertial) => drop(inertials.insert(link.name().to_owned(), inertial)),
@@ -176,7 +175,7 @@ fn with_masses_of_shapes(
     }
     if inertials.is_empty() {
         let why = "no link of the model has a shape with a volume; give the masses by --link-mass";
-        return Err(StudyError::input(Field::Masses, why.to_owned()));
+        return Err(StudyError::input("model.masses", why.to_owned()));
     }
     let kept = match &without[..] {
         [] => String::new(),
@@ -199,7 +198,7 @@ fn with_masses_of_shapes(
         element: None,
         message,
     };
-    Ok((Arc::new(with_inertials(mechanism, &inertials, Field::Masses)?), Some(record)))
+    Ok((Arc::new(with_inertials(mechanism, &inertials, "model.masses")?), Some(record)))
 }
 
 /// Mechanism with all masses and inertias scaled to a total mass.
@@ -212,7 +211,7 @@ fn with_total_mass(mechanism: Mechanism, changes: &Changes) -> Result<Mechanism,
         } else {
             "no link has a mass that can be scaled; compute masses first by --masses shapes".to_owned()
         };
-        return Err(StudyError::input(Field::TotalMass, why));
+        return Err(StudyError::input("model.total_mass", why));
     }
     let scaled = mechanism.links().iter().filter_map(|link| {
         let inertial = *link.inertial()?;
@@ -220,14 +219,14 @@ fn with_total_mass(mechanism: Mechanism, changes: &Changes) -> Result<Mechanism,
         let (mass, about_com) = (inertial.mass * factor, inertial.about_com * factor);
         Some((link.name().to_owned(), Inertial { mass, about_com, ..inertial }))
     });
-    with_inertials(&mechanism, &scaled.collect(), Field::TotalMass)
+    with_inertials(&mechanism, &scaled.collect(), "model.total_mass")
 }
 
 /// Mechanism with other inertias, by link.
 fn with_inertials(
     mechanism: &Mechanism,
     inertials: &BTreeMap<String, Inertial>,
-    field: Field,
+    field: &'static str,
 ) -> Result<Mechanism, StudyError> {
     let builder = mechanism.to_builder().map_links(|mut link: LinkDescription| {
         if let Some(inertial) = inertials.get(&link.name) {
@@ -242,50 +241,50 @@ fn with_inertials(
 fn with_changed_inertia(mechanism: &Mechanism, changes: &Changes) -> Result<Mechanism, StudyError> {
     let mut inertials = BTreeMap::new();
     for (name, mass) in &changes.link_mass {
-        let link = find(mechanism, Field::LinkMass, name)?;
+        let link = find(mechanism, "model.link_mass", name)?;
         if !(mass.is_finite() && *mass >= 0.0) {
             let why = format!("link \"{name}\": {mass:e} kg; expected a finite mass of 0 or more");
-            return Err(StudyError::input(Field::LinkMass, why));
+            return Err(StudyError::input("model.link_mass", why));
         }
         inertials.insert(name.clone(), scaled_inertia(link, *mass));
     }
     for (name, com) in &changes.link_com {
-        let link = find(mechanism, Field::LinkCom, name)?;
+        let link = find(mechanism, "model.link_com", name)?;
         let inertial = inertials.get(name).copied().or(link);
         let Some(inertial) = inertial.filter(|inertial| inertial.mass > 0.0) else {
             let why = format!(
                 "link \"{name}\" has no mass, so that no centre of mass can be set; give it a mass first"
             );
-            return Err(StudyError::input(Field::LinkCom, why));
+            return Err(StudyError::input("model.link_com", why));
         };
         if let Some(value) = com.iter().find(|x| !x.is_finite() || x.abs() > LARGEST_COORDINATE) {
             let why = format!(
                 "link \"{name}\": the centre of mass has a component {value:e}; expected finite numbers of at most {LARGEST_COORDINATE:e}"
             );
-            return Err(StudyError::input(Field::LinkCom, why));
+            return Err(StudyError::input("model.link_com", why));
         }
         inertials.insert(name.clone(), Inertial { com: (*com).into(), ..inertial });
     }
     for (name, moments) in &changes.link_inertia {
-        let link = find(mechanism, Field::LinkInertia, name)?;
+        let link = find(mechanism, "model.link_inertia", name)?;
         let inertial = inertials.get(name).copied().or(link);
         let Some(mut inertial) = inertial.filter(|inertial| inertial.mass > 0.0) else {
             let why = format!(
                 "link \"{name}\" has no mass, so that no moments of inertia can be set; give it a mass first"
             );
-            return Err(StudyError::input(Field::LinkInertia, why));
+            return Err(StudyError::input("model.link_inertia", why));
         };
         if !are_moments_of_a_body(moments) {
             let why = format!(
                 "link \"{name}\": moments of inertia {moments:?} kg·m² about the centre of mass; expected finite moments of 0 or more, \
                  none larger than the sum of the other two"
             );
-            return Err(StudyError::input(Field::LinkInertia, why));
+            return Err(StudyError::input("model.link_inertia", why));
         }
         inertial.about_com.set_diagonal(&(*moments).into());
         inertials.insert(name.clone(), inertial);
     }
-    with_inertials(mechanism, &inertials, Field::LinkMass)
+    with_inertials(mechanism, &inertials, "model.link_mass")
 }
 
 /// True if a body can have these moments of inertia about three perpendicular axes: each is at most the sum of the other two. For a thin
@@ -297,7 +296,7 @@ fn are_moments_of_a_body(moments: &[f64; 3]) -> bool {
 }
 
 /// Inertia of a link by name; `None` for a massless link.
-fn find(mechanism: &Mechanism, field: Field, name: &str) -> Result<Option<Inertial>, StudyError> {
+fn find(mechanism: &Mechanism, field: &'static str, name: &str) -> Result<Option<Inertial>, StudyError> {
     let link = mechanism.find_link(name).map_err(|error| StudyError::input(field, error))?;
     Ok(mechanism.link(link).inertial().copied())
 }

@@ -3,7 +3,7 @@
 
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
-use crate::question::field::{Field, Names};
+use crate::question::names::Names;
 use crate::thresholds::{FAR_POINT, NEAR_POINT};
 use nalgebra::Vector3;
 use percuss_mechanism::{Geometry, LinkId, Mechanism};
@@ -27,7 +27,7 @@ pub(crate) fn far_point_finding(
         return None;
     }
     let millimetres = distance / 1000.0 <= FAR_POINT * reach && distance / 1000.0 >= NEAR_POINT * reach;
-    let frame = Field::Frame.hint(names);
+    let frame = names.hint("contact.frame");
     let hint = if millimetres {
         format!("is it in millimetres (write 12mm), or in another frame{frame}?")
     } else {

@@ -4,8 +4,8 @@ use crate::checks::far_point_check;
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::joint_limits::{joint_limit_finding, many_turns_finding};
-use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
+use crate::question::names::Names;
 use crate::thresholds::{FAR_FROM_GUESS, MOST_TURNS_SET};
 use crate::values::position::{GivenPosition, position_dimension};
 use percuss_dynamics::{
@@ -82,7 +82,7 @@ pub(crate) fn joint_list(mechanism: &Mechanism, joints: &[JointId]) -> String {
 fn add_loop_findings(system: &System, pose: &Pose, names: Names, found: &mut Vec<Finding>) {
     let mechanism = system.mechanism();
     let Some(loops) = pose.loops() else { return };
-    let set = Field::Set.hint(names);
+    let set = names.hint("pose.set");
     for name in system.reversed_axes() {
         let message = format!(
             "the axis of loop \"{name}\" has opposite directions in its two frames with all joints at 0; the \
@@ -241,7 +241,7 @@ pub(crate) fn guess_findings(
     explicit_guesses: &[(String, GivenPosition)],
     names: Names,
 ) -> Vec<Finding> {
-    let (set, given) = (Field::Set.name_in(names), Field::Guess.hint(names));
+    let (set, given) = (names.name_of("pose.set"), names.hint("pose.guess"));
     let drives = |joint| pose.loops().is_some_and(|loops| loops.drivers.contains(&joint));
     let mut found = Vec::new();
     for (joint, guess) in configuration.guesses() {

@@ -3,7 +3,7 @@
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::{Field, Names};
+use crate::question::names::Names;
 use crate::thresholds::LIFT_OFF_SPEED;
 use nalgebra::Vector3;
 use percuss_dynamics::{Contact, ContactResponse, EffectiveMass, PointVelocity, Pose, ResponseError, System};
@@ -43,7 +43,7 @@ impl HeldContact {
         };
         let name = self.without.mechanism().link(self.link).name();
         let subject = FindingSubject::Hold(self.number);
-        let hold = Field::Hold.hint(names);
+        let hold = names.hint("hold");
         if lifts {
             let message = format!(
                 "the held contact of link \"{name}\"{hold} would need a pulling force: the impact separates it; \

@@ -5,7 +5,7 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::{Field, Names};
+use crate::question::names::{Names, conditions_error_key};
 use crate::thresholds::CHECKED_MESHES;
 use percuss_dynamics::{Base, Conditions, System};
 use percuss_formats::inertias_beyond_meshes;
@@ -133,7 +133,7 @@ pub fn check(model: &Model) -> Result<CheckReport, StudyError> {
     let mechanism = &model.mechanism;
     let conditions = Conditions::new().base(Base::Fixed);
     let system = System::new(std::sync::Arc::clone(mechanism), &conditions)
-        .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
+        .map_err(|error| StudyError::input(conditions_error_key(&error), error))?;
     let pose = system.pose(&system.configuration())?;
     let assembly = pose.assembly();
     let mut diagnostics = model.diagnostics.clone();

@@ -5,7 +5,7 @@ use crate::checks::finding::{Finding, FindingTally};
 use crate::checks::finding_kind::FindingKind;
 use crate::checks::findings::{collect_pose_findings, collect_response_findings, singular_pose_finding};
 use crate::model::record::DiagnosticRecord;
-use crate::question::field::Names;
+use crate::question::names::Names;
 use percuss_dynamics::{Contact, ContactResponse, Pose, RemarkFlags, System};
 
 /// Findings about a pose: joints outside their limits, closure of the loops, rank of the constraint rows.

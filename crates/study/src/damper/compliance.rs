@@ -8,7 +8,6 @@ use crate::damper::sheet_forces::{
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::{DAMPER_SLOPE_SPEED, FORCE_CHANGE, IMPULSE_CHANGE, SAME_MASS};
 use crate::values::drives::GivenSpring;
@@ -185,7 +184,7 @@ fn elastic_system_with(
 /// Error of a mechanism with bushes and gears.
 pub(crate) fn compliance_error(error: ComplianceError) -> StudyError {
     match error {
-        ComplianceError::Gear { .. } => StudyError::input(Field::GearStiffness, error.to_string()),
+        ComplianceError::Gear { .. } => StudyError::input("conditions.gear_stiffness", error.to_string()),
         error => StudyError::NoResult(error.to_string()),
     }
 }
@@ -196,20 +195,21 @@ pub(crate) fn gear_elements(evaluated: &EvaluatedQuestion) -> Result<Vec<LinearE
     let EvaluatedQuestion { prepared, pose, .. } = evaluated;
     let given = &prepared.question.conditions.gear_stiffness;
     let gear = |(number, (name, gear)): (usize, &(String, GivenSpring))| {
-        let refuse = |why: String| Err(StudyError::input(Field::GearStiffness, why));
+        let refuse = |why: String| Err(StudyError::input("conditions.gear_stiffness", why));
         if given[..number].iter().any(|(earlier, _)| earlier == name) {
             return refuse(format!("joint \"{name}\" is given twice; give it once"));
         }
         let mechanism = pose.mechanism();
         let joint = mechanism.find_joint(name);
-        let joint = joint.map_err(|error| StudyError::input(Field::GearStiffness, error))?;
+        let joint = joint.map_err(|error| StudyError::input("conditions.gear_stiffness", error))?;
         let kind = mechanism.joint(joint).kind();
         if kind.dofs() != 1 {
             let dofs = kind.dofs();
             return refuse(format!("joint \"{name}\" has {dofs} velocities; expected a joint with one"));
         }
-        let wrong =
-            |source| StudyError::input(Field::GearStiffness, Fault::Position { joint: name.clone(), source });
+        let wrong = |source| {
+            StudyError::input("conditions.gear_stiffness", Fault::Position { joint: name.clone(), source })
+        };
         let (stiffness, damping) = match gear.values_for_joint(kind).map_err(wrong)?[..] {
             [stiffness] => (stiffness, 0.0),
             [stiffness, damping] => (stiffness, damping),

@@ -9,7 +9,6 @@ use crate::evaluation::status::mass_unit;
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::spelled_contact::StopRecord;
 use crate::question::tables::damping::DampingQuestion;
 use crate::values::force_curve::{ForceCurveRecord, GivenCurve};
@@ -337,7 +336,7 @@ pub(crate) fn require_stiffness(question: &DampingQuestion) -> Result<(), StudyE
         return Ok(());
     }
     let why = "it is missing; expected the stiffness of the contact, or a force curve (of a stop in a suspension sheet, or given)";
-    Err(StudyError::input(Field::Stiffness, why))
+    Err(StudyError::input("damping.stiffness", why))
 }
 
 /// Warning about a penetration beyond the end of the force curve.

@@ -2,7 +2,6 @@
 
 use crate::model::loading::Model;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::{JointStop, StopEnd, StopRecord, stop_motion};
 use crate::question::tables::contact::ContactTable;
@@ -34,7 +33,8 @@ impl JointStop {
     /// Joint of the stop, with the kind of its motion. Error: unknown joint, or a joint without a stop.
     fn find<'a>(&self, model: &'a Model) -> Result<(JointId, &'a Joint, StopMotion), StudyError> {
         let mechanism = &model.mechanism;
-        let id = mechanism.find_joint(&self.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
+        let id =
+            mechanism.find_joint(&self.joint).map_err(|error| StudyError::input("damping.limit", error))?;
         let joint = mechanism.joint(id);
         let motion = stop_motion(joint).ok_or_else(|| self.no_stop(joint))?;
         Ok((id, joint, motion))
@@ -42,7 +42,7 @@ impl JointStop {
 
     /// Error about a joint without a stop.
     fn no_stop(&self, joint: &Joint) -> StudyError {
-        StudyError::input(Field::Limit, Fault::NoStop { joint: self.joint.clone(), kind: joint.kind() })
+        StudyError::input("damping.limit", Fault::NoStop { joint: self.joint.clone(), kind: joint.kind() })
     }
 
     /// Contact question of the stop, [`Contact::joint_stop`]: m̄ equals 1/(e_j M_c⁻¹ e_jᵀ), the inertia (kg·m²) or mass (kg) at the
@@ -56,7 +56,7 @@ impl JointStop {
         conditions: MassQuestion,
     ) -> Result<(MassQuestion, StopRecord), StudyError> {
         let mechanism = &model.mechanism;
-        let refuse = |fault: Fault| StudyError::input(Field::Limit, fault);
+        let refuse = |fault: Fault| StudyError::input("damping.limit", fault);
         let (id, joint, motion) = self.find(model)?;
         let contact = Contact::joint_stop(mechanism, id, self.end != Some(StopEnd::Lower));
         let contact = contact.ok_or_else(|| self.no_stop(joint))?;

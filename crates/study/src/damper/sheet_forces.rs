@@ -7,7 +7,6 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::SPRING_EFFECT;
@@ -304,7 +303,7 @@ pub(crate) fn with_sheet_curve(
             let name = given.stop.as_deref().unwrap_or_default();
             let message = format!(
                 "the force curve of {name} in the sheet is not used, because a stiffness or another curve is given{}",
-                Field::Stiffness.hint(evaluated.prepared.question.names)
+                evaluated.prepared.question.names.hint("damping.stiffness")
             );
             Finding::about_result(FindingKind::CurveNotUsed, message)
         }),

@@ -2,7 +2,6 @@
 
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use percuss_dynamics::Direction;
 
 /// Kind of a contact without a contact point: a moment about an axis, the stop of a joint, a cable, a spring or a rod. `None` for a contact
@@ -23,7 +22,7 @@ pub(crate) fn contact_without_point(evaluated: &EvaluatedQuestion) -> Option<&'s
 /// Refuses a result that requires a contact point, for a contact without one.
 pub(crate) fn require_contact_point(
     evaluated: &EvaluatedQuestion,
-    field: Field,
+    field: &'static str,
     result: &'static str,
 ) -> Result<(), StudyError> {
     match contact_without_point(evaluated) {

@@ -2,7 +2,6 @@
 
 use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::mass_question::{EstimateQuestion, UPWARDS};
 use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
@@ -52,7 +51,7 @@ pub(crate) struct PreparedEstimate {
 impl PreparedEstimate {
     /// Resolves the names and checks the numbers.
     pub fn new(mechanism: &Mechanism, question: &EstimateQuestion) -> Result<Self, StudyError> {
-        let refuse = |fault: Fault| StudyError::input(Field::Estimate, fault);
+        let refuse = |fault: Fault| StudyError::input("contact.estimate", fault);
         let find = |name: &String| mechanism.find_link(name).map_err(|e| refuse(e.into()));
         let links = question.links.iter().map(find).collect::<Result<Vec<_>, _>>()?;
         if let Some(i) = (1..links.len()).find(|&i| links[..i].contains(&links[i])) {

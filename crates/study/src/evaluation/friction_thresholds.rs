@@ -3,7 +3,6 @@
 use crate::evaluation::contact_point::require_contact_point;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use percuss_dynamics::EffectiveMass;
 use percuss_impact::FrictionThresholds;
 use schemars::JsonSchema;
@@ -31,12 +30,12 @@ impl From<FrictionThresholds> for FrictionThresholdsRecord {
 pub(crate) fn thresholds_of(
     evaluated: &EvaluatedQuestion,
 ) -> Result<Option<FrictionThresholdsRecord>, StudyError> {
-    require_contact_point(evaluated, Field::FrictionThresholds, "threshold of friction")?;
+    require_contact_point(evaluated, "mass.friction_thresholds", "threshold of friction")?;
     let response = &evaluated.result.response;
     if response.singular_pose || !matches!(response.effective_mass, EffectiveMass::Finite(_)) {
         return Ok(None);
     }
     let found = percuss_impact::friction_thresholds(&evaluated.pose, response);
-    let refuse = |error| StudyError::input(Field::FrictionThresholds, error);
+    let refuse = |error| StudyError::input("mass.friction_thresholds", error);
     Ok(Some(found.map_err(refuse)?.into()))
 }

@@ -3,7 +3,6 @@
 use crate::evaluation::certificate::{ExtremesCertificateRecord, extremes_certificate};
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::extremes::{DEFAULT_BOXES, ExtremesQuestion, GivenRange};
 use crate::values::quantities::Ratio;
@@ -34,7 +33,7 @@ pub(crate) fn prove(
     if let Some(range) = ranges.iter().find(|range| range.lower >= range.upper) {
         let joint = prepared.model.mechanism.joint(range.joint).name().to_owned();
         let (lower, upper) = (range.lower, range.upper);
-        return Err(search_error(ExtremesError::Range { joint, lower, upper }, Field::Range));
+        return Err(search_error(ExtremesError::Range { joint, lower, upper }, "extremes.range"));
     }
     if prepared.wheel().is_some() {
         let reason = Some("a contact patch that moves over a wheel is not supported by the proof".to_owned());
@@ -45,15 +44,15 @@ pub(crate) fn prove(
     for range in &ranges {
         let name = prepared.model.mechanism.joint(range.joint).name();
         let position = 0.5 * range.lower + 0.5 * range.upper;
-        middle.replace(name, &[position]).map_err(|error| search_error(error.into(), Field::Range))?;
+        middle.replace(name, &[position]).map_err(|error| search_error(error.into(), "extremes.range"))?;
     }
     let middle = prepared.system.pose_from(pose, &middle);
-    let middle = middle.map_err(|error| search_error(error.into(), Field::Range))?;
+    let middle = middle.map_err(|error| search_error(error.into(), "extremes.range"))?;
     let mut proved = extremes_certificate(&middle, contact, &ranges, proof);
     if let (Some(stiffness), Some(speed)) = (question.stiffness, question.speed) {
         let law =
             DampingQuestion { stiffness: Some(stiffness), speed: Some(speed), ..DampingQuestion::default() };
-        law.check_dimensions(Field::ExtremesStiffness, Field::ExtremesSpeed, contact.normal.is_moment())?;
+        law.check_dimensions("extremes.stiffness", "extremes.speed", contact.normal.is_moment())?;
         let upper = proved.most.as_ref().and_then(|most| most.upper);
         // Rounded outward: a product, a root and a product.
         let force = |mass: f64| speed.0.value.abs() * (stiffness.0.value * mass).sqrt();
@@ -89,22 +88,25 @@ pub(crate) fn ranges(
         return Ok(limited.collect());
     }
     let range = |given: &GivenRange| {
-        let joint = find_joint(mechanism, Field::Range, &given.joint)?;
+        let joint = find_joint(mechanism, "extremes.range", &given.joint)?;
         if is_set(&given.joint) {
             let joint = &given.joint;
             let why = format!("joint \"{joint}\" has a range and a given position; expected one of the two");
-            return Err(StudyError::input(Field::Range, why));
+            return Err(StudyError::input("extremes.range", why));
         }
         let dimension = match mechanism.joint(joint).kind() {
             JointKind::Revolute | JointKind::Continuous => Dimension::Angle,
             JointKind::Prismatic => Dimension::Length,
             _ => {
-                return Err(StudyError::input(Field::Range, Fault::NoMotion { joint: given.joint.clone() }));
+                return Err(StudyError::input(
+                    "extremes.range",
+                    Fault::NoMotion { joint: given.joint.clone() },
+                ));
             }
         };
         let end = |end: Quantity| {
             end.in_dimension(dimension, &end.to_string())
-                .map_err(|error| StudyError::input(Field::Range, error))
+                .map_err(|error| StudyError::input("extremes.range", error))
         };
         Ok(JointRange { joint, lower: end(given.lower)?, upper: end(given.upper)? })
     };
@@ -112,19 +114,23 @@ pub(crate) fn ranges(
 }
 
 /// Converts the error of a search. `field`: field of the question that gives the positions.
-pub(crate) fn search_error(error: ExtremesError, field: Field) -> StudyError {
+pub(crate) fn search_error(error: ExtremesError, field: &'static str) -> StudyError {
     match error {
         ExtremesError::Assembly(error) => StudyError::from(error),
         ExtremesError::Contact(error) => StudyError::from(error),
         ExtremesError::NoKeptNormal { .. } | ExtremesError::NoSelfMotion { .. } => {
-            StudyError::input(Field::Keep, error)
+            StudyError::input("extremes.keep", error)
         }
         error => StudyError::input(field, error),
     }
 }
 
 /// Joint by name.
-pub(crate) fn find_joint(mechanism: &Mechanism, field: Field, name: &str) -> Result<JointId, StudyError> {
+pub(crate) fn find_joint(
+    mechanism: &Mechanism,
+    field: &'static str,
+    name: &str,
+) -> Result<JointId, StudyError> {
     mechanism.find_joint(name).map_err(|error| {
         if mechanism.closures().iter().any(|closure| closure.name() == name) {
             let why = format!(

@@ -3,7 +3,6 @@
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
 use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::RatioPoint;
 use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
@@ -46,11 +45,11 @@ pub(crate) fn requested_ratios(
     let mut found = Vec::new();
     for ratio_point in given {
         let link = mechanism.find_link(&ratio_point.link);
-        let link = link.map_err(|error| StudyError::input(Field::RatioAt, error))?;
+        let link = link.map_err(|error| StudyError::input("contact.ratio_at", error))?;
         let (point, direction) = (Vector3::from(ratio_point.point), Vector3::from(ratio_point.direction));
         if !(direction.norm() > SHORTEST_DIRECTION && direction.norm().is_finite()) {
             let why = "the direction has no length; expected a vector such as 0,0,1";
-            return Err(StudyError::input(Field::RatioAt, why));
+            return Err(StudyError::input("contact.ratio_at", why));
         }
         found.extend(ratio(&evaluated.pose, response, link, point, direction.normalize()));
     }

@@ -14,8 +14,8 @@ use crate::model::loading::{Input, Model};
 use crate::pose::pose_solver;
 use crate::pose::touch::StopOfJoint;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
+use crate::question::names::{Names, conditions_error_key};
 use crate::question::pose_file::{GivenPose, GivenPoseError};
 use crate::thresholds::LEAST_OTHER_MASS;
 use crate::values::position::GivenPosition;
@@ -92,19 +92,19 @@ impl<'a> PreparedQuestion<'a> {
     pub fn new(model: &'a Model, question: &'a MassQuestion) -> Result<Self, StudyError> {
         let mechanism = &model.mechanism;
         let mut resolved = question.resolve_contact(mechanism)?;
-        let refuse = |error: GivenPoseError| StudyError::input(Field::Pose, error);
+        let refuse = |error: GivenPoseError| StudyError::input("pose.file", error);
         let pose = question.positions.as_ref().map(|pose| pose.resolve(model)).transpose().map_err(refuse)?;
         if let Some(pose) = pose.flatten() {
             resolved.to_mut().positions = Some(pose);
         }
         let question = &*resolved;
-        let find = |field: Field, name: &str| {
+        let find = |field: &'static str, name: &str| {
             mechanism.find_link(name).map_err(|error| StudyError::input(field, error))
         };
-        let link = find(Field::Link, question.contact.link())?;
+        let link = find("contact.link", question.contact.link())?;
         let against = match &question.contact.against {
             Some(name) => {
-                other_side(mechanism, name).map_err(|error| StudyError::input(Field::Against, error))?
+                other_side(mechanism, name).map_err(|error| StudyError::input("contact.against", error))?
             }
             None => None,
         };
@@ -115,10 +115,10 @@ impl<'a> PreparedQuestion<'a> {
             let why = format!(
                 "the other body's mass is {mass:e} kg; expected a finite number above 0 ({LEAST_OTHER_MASS:e} at least)"
             );
-            return Err(StudyError::input(Field::AgainstMass, why));
+            return Err(StudyError::input("contact.against_mass", why));
         }
         if let Some(mass) = question.contact.against_mass().filter(|_| normal.is_moment()) {
-            return Err(StudyError::input(Field::AgainstMass, ContactError::MassOfMoment { mass }));
+            return Err(StudyError::input("contact.against_mass", ContactError::MassOfMoment { mass }));
         }
         if question.contact.estimate.is_some() {
             question.refuse_moment("classical estimate")?;
@@ -132,7 +132,7 @@ impl<'a> PreparedQuestion<'a> {
             if let Some(normal) = hold.normal {
                 held.push(HeldContact {
                     number,
-                    link: find(Field::Hold, &hold.link)?,
+                    link: find("hold", &hold.link)?,
                     point: hold.point.into(),
                     normal: Vector3::from(normal).normalize(),
                     without: compile(Some(number))?,
@@ -380,7 +380,7 @@ pub(crate) fn compile(
     question: &MassQuestion,
     skipped: Option<usize>,
 ) -> Result<System, StudyError> {
-    let joint = |field: Field, name: &str| -> Result<JointId, StudyError> {
+    let joint = |field: &'static str, name: &str| -> Result<JointId, StudyError> {
         mechanism.find_joint(name).map_err(|error| StudyError::input(field, error))
     };
     let base = if floats_already(mechanism) { Base::Fixed } else { question.conditions.base() };
@@ -394,24 +394,24 @@ pub(crate) fn compile(
             conditions = moving.fold(conditions, |conditions, joint| conditions.lock(joint.name()));
             continue;
         }
-        joint(Field::Lock, name)?;
+        joint("conditions.lock", name)?;
         conditions = conditions.lock(name);
     }
     for (name, values) in &question.conditions.armature {
-        joint(Field::Armature, name)?;
+        joint("conditions.armature", name)?;
         conditions = conditions.armature(name, values.clone());
     }
     for (name, _) in &question.conditions.gear_stiffness {
-        joint(Field::GearStiffness, name)?;
+        joint("conditions.gear_stiffness", name)?;
     }
     for (_, hold) in question.hold.iter().enumerate().filter(|(i, _)| Some(*i) != skipped) {
-        mechanism.find_link(&hold.link).map_err(|error| StudyError::input(Field::Hold, error))?;
+        mechanism.find_link(&hold.link).map_err(|error| StudyError::input("hold", error))?;
         let normal = hold.normal.map(Vector3::from);
         let in_root = |normal| question.base_pose().map_or(normal, |base| base.inverse_vector(&normal));
         conditions = conditions.hold(&hold.link, hold.point, normal.map(in_root));
     }
     let system = System::new(Arc::clone(mechanism), &conditions)
-        .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
+        .map_err(|error| StudyError::input(conditions_error_key(&error), error))?;
     let root = mechanism.root();
     if base == Base::Floating && system.rigid_body_mass(root).is_some_and(|mass| mass <= 0.0) {
         let link = mechanism.link(root).name();
@@ -419,7 +419,7 @@ pub(crate) fn compile(
             "the root link \"{link}\" has no mass; a floating root link needs mass and inertia: write mass, com and inertia in the \
              model, or in a section [{link}] of a suspension sheet, or use a fixed base"
         );
-        return Err(StudyError::input(Field::Base, why));
+        return Err(StudyError::input("conditions.base", why));
     }
     Ok(system)
 }
@@ -444,7 +444,7 @@ pub(crate) fn configuration(
     mechanism: &Arc<Mechanism>,
     question: &MassQuestion,
 ) -> Result<Configuration, StudyError> {
-    let values = |field: Field, joint: &String, given: &GivenPosition| {
+    let values = |field: &'static str, joint: &String, given: &GivenPosition| {
         let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
         let kind = mechanism.joint(id).kind();
@@ -457,19 +457,19 @@ pub(crate) fn configuration(
     let mut configuration = match &question.positions {
         None => Configuration::zero(mechanism),
         Some(file) => {
-            let refuse = |error: GivenPoseError| StudyError::input(Field::Pose, error);
+            let refuse = |error: GivenPoseError| StudyError::input("pose.file", error);
             file.check(mechanism).map_err(refuse)?;
             from_file(mechanism, question, file, values)?
         }
     };
     for (joint, given) in &question.pose.set {
-        let values = values(Field::Set, joint, given)?;
-        configuration.set(joint, &values).map_err(|error| StudyError::input(Field::Set, error))?;
+        let values = values("pose.set", joint, given)?;
+        configuration.set(joint, &values).map_err(|error| StudyError::input("pose.set", error))?;
     }
     let whole = question.positions.as_ref().is_some_and(|file| file.is_complete(mechanism));
     for (joint, given) in question.pose.guess.iter().filter(|_| !whole) {
-        let values = values(Field::Guess, joint, given)?;
-        configuration.guess(joint, &values).map_err(|error| StudyError::input(Field::Guess, error))?;
+        let values = values("pose.guess", joint, given)?;
+        configuration.guess(joint, &values).map_err(|error| StudyError::input("pose.guess", error))?;
     }
     if let Some(base) = question.base_pose() {
         configuration.set_base(*base);
@@ -483,19 +483,19 @@ fn from_file(
     mechanism: &Arc<Mechanism>,
     question: &MassQuestion,
     file: &GivenPose,
-    values: impl Fn(Field, &String, &GivenPosition) -> Result<Vec<f64>, StudyError>,
+    values: impl Fn(&'static str, &String, &GivenPosition) -> Result<Vec<f64>, StudyError>,
 ) -> Result<Configuration, StudyError> {
-    let refuse = |error: ConfigurationError| StudyError::input(Field::Pose, error);
+    let refuse = |error: ConfigurationError| StudyError::input("pose.file", error);
     if !file.is_complete(mechanism) {
         let mut configuration = Configuration::zero(mechanism);
         let is_set = |joint: &String| question.pose.set.iter().any(|(set, _)| set == joint);
         for (joint, given) in file.positions.iter().filter(|(joint, _)| !is_set(joint)) {
-            configuration.set(joint, &values(Field::Pose, joint, given)?).map_err(refuse)?;
+            configuration.set(joint, &values("pose.file", joint, given)?).map_err(refuse)?;
         }
         return Ok(configuration);
     }
     for joint in file.positions.keys() {
-        mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Pose, error))?;
+        mechanism.find_joint(joint).map_err(|error| StudyError::input("pose.file", error))?;
     }
     let mut positions = Vec::new();
     for joint in mechanism.joints() {
@@ -503,8 +503,8 @@ fn from_file(
         let over = |given: &[(String, GivenPosition)]| {
             given.iter().find(|(of, _)| *of == name).map(|(_, position)| position.clone())
         };
-        let given = [(Field::Guess, over(&question.pose.guess)), (Field::Set, over(&question.pose.set))];
-        let given = given.into_iter().chain([(Field::Pose, file.positions.get(&name).cloned())]);
+        let given = [("pose.guess", over(&question.pose.guess)), ("pose.set", over(&question.pose.set))];
+        let given = given.into_iter().chain([("pose.file", file.positions.get(&name).cloned())]);
         let given = given.into_iter().find_map(|(field, position)| Some((field, position?)));
         match given {
             Some((field, position)) if joint.mimic().is_none() && joint.kind().positions() > 0 => {

@@ -3,7 +3,6 @@
 
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use percuss_mechanism::{JointId, JointKind};
 use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::{RngCore, SeedableRng};
@@ -45,7 +44,7 @@ impl RandomRows {
             positions > 0 && found.mimic().is_none() && drives && !set
         };
         let joints: Vec<JointId> = mechanism.joint_ids().filter(is_free).collect();
-        let refuse = |fault: Fault| StudyError::input(Field::Random, fault);
+        let refuse = |fault: Fault| StudyError::input("sweep.random", fault);
         if joints.is_empty() {
             let why = "no joint can be sampled: all movable joints are set, or depend on other joints";
             return Err(refuse(why.into()));

@@ -3,7 +3,7 @@
 use crate::checks::finding::{Finding, FindingSubject};
 use crate::checks::finding_kind::FindingKind;
 use crate::pose::touch::StopOfJoint;
-use crate::question::field::{Field, Names};
+use crate::question::names::Names;
 use crate::thresholds::RESTING_DISTANCE;
 use percuss_dynamics::Pose;
 use percuss_impact::driving_joints;
@@ -20,15 +20,15 @@ pub(crate) fn stop_not_reached(pose: &Pose, stop: &StopOfJoint, names: Names) ->
     let drivers = driving_joints(pose);
     let (name, limit) = (joint.name(), stop.limit);
     let remedy = if drivers.contains(&stop.joint) {
-        format!("set {name}={limit}{}", Field::Set.hint(names))
+        format!("set {name}={limit}{}", names.hint("pose.set"))
     } else {
         let drivers: Vec<&str> = drivers.iter().map(|driver| mechanism.joint(*driver).name()).collect();
         format!(
             "its position follows from the driving joints {}: set them to positions at which \"{name}\" is at its stop{}, or give this stop \
              as the first contact{} and leave these joints unset",
             drivers.join(", "),
-            Field::Set.hint(names),
-            Field::At.hint(names)
+            names.hint("pose.set"),
+            names.hint("contact.at")
         )
     };
     let unit = if joint.kind() == JointKind::Prismatic { "m" } else { "rad" };

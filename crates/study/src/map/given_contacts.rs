@@ -5,7 +5,6 @@ use crate::evaluation::status::Status;
 use crate::map::surface_map::question_with_placeholder_contact;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use nalgebra::Vector3;
 use schemars::JsonSchema;
@@ -31,7 +30,7 @@ pub fn given_contact_masses(
     link: &str,
     contacts: &[[f64; 6]],
 ) -> Result<Vec<GivenContact>, StudyError> {
-    let id = model.mechanism.find_link(link).map_err(|error| StudyError::input(Field::Link, error))?;
+    let id = model.mechanism.find_link(link).map_err(|error| StudyError::input("contact.link", error))?;
     let conditions = question_with_placeholder_contact(model, question);
     let prepared = PreparedQuestion::new(model, &conditions)?;
     let pose = prepared.pose()?;
@@ -40,7 +39,7 @@ pub fn given_contact_masses(
     let reach = points.iter().map(|point| (point - centre).norm()).fold(0.0, f64::max);
     let map = pose
         .contact_map(id, prepared.other_link(), centre, reach)
-        .map_err(|error| StudyError::input(Field::Point, error))?;
+        .map_err(|error| StudyError::input("contact.point", error))?;
     let other = prepared.other_mass();
     let of_contact = |(point, contact): (&Vector3<f64>, &[f64; 6])| {
         let normal = Vector3::new(contact[3], contact[4], contact[5]);

@@ -9,7 +9,6 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::reports::mass_report::ConditionsRecord;
 use crate::thresholds::DIRECTIONS;
@@ -80,7 +79,7 @@ pub fn map_point(
     if !DIRECTIONS.contains(&directions) {
         let (least, most) = (DIRECTIONS.start(), DIRECTIONS.end());
         let why = format!("{directions} directions; {least} to {most} are possible");
-        return Err(StudyError::input(Field::Directions, why));
+        return Err(StudyError::input("map.directions", why));
     }
     let given = question;
     let question = question.resolve_contact(&model.mechanism)?.into_owned();
@@ -92,7 +91,7 @@ pub fn map_point(
     let contact = prepared.contact_at(&pose);
     let map = pose
         .contact_map(contact.link, contact.against, contact.point, 0.0)
-        .map_err(|error| StudyError::input(Field::Point, error))?;
+        .map_err(|error| StudyError::input("contact.point", error))?;
     let x_wl = pose.link(contact.link);
     let other = prepared.other_mass();
     let alone: Vec<(Vector3<f64>, BatchAnswer)> = (0..directions)

@@ -12,7 +12,6 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::contact::ContactTable;
 use crate::question::tables::map::{MapQuestion, MapShapes};
@@ -54,10 +53,10 @@ pub fn map(
     let edge = question.edge.map(|edge| edge.0);
     if let Some(edge) = edge.filter(|e| !(e.is_finite() && *e >= LEAST_EDGE)) {
         let why = format!("the longest edge is {edge} m; expected a number of at least {LEAST_EDGE:e} m");
-        return Err(StudyError::input(Field::Edge, why));
+        return Err(StudyError::input("map.edge", why));
     }
     let find =
-        |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(Field::Link, error));
+        |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input("contact.link", error));
     let links: Vec<LinkId> = match question.all {
         true => mechanism.link_ids().collect(),
         false => question.link.iter().map(find).collect::<Result<_, _>>()?,
@@ -92,14 +91,14 @@ pub fn map(
             Err(LinkMapError::NoSurface(fault)) if question.all => {
                 left_out.push(OmittedLink { link: name.to_owned(), reason: fault });
             }
-            Err(LinkMapError::NoSurface(fault)) => return Err(StudyError::input(Field::Link, fault)),
+            Err(LinkMapError::NoSurface(fault)) => return Err(StudyError::input("contact.link", fault)),
             Err(LinkMapError::Question(error)) => return Err(error),
         }
     }
     if maps.is_empty() {
         let reasons: Vec<String> = left_out.iter().take(3).map(|l| l.reason.clone()).collect();
         let why = format!("no link has a surface that can be mapped: {}", reasons.join("; "));
-        return Err(StudyError::input(Field::Link, why));
+        return Err(StudyError::input("contact.link", why));
     }
     diagnostics.extend(singular_map_finding(&pose).map(DiagnosticRecord::from));
     let report = MapReport {
@@ -185,7 +184,7 @@ impl MapContext<'_> {
         let (centre, radius) = surface.bounds().ok_or_else(no_shape)?;
         let edge = question.edge.map_or(2.0 * radius / EDGES_ACROSS, |edge| edge.0).max(f64::MIN_POSITIVE);
         let too_many = |error: SurfaceError| {
-            LinkMapError::Question(StudyError::input(Field::Edge, format!("link \"{name}\": {error}")))
+            LinkMapError::Question(StudyError::input("map.edge", format!("link \"{name}\": {error}")))
         };
         let facets = surface.facets(edge, facets_left).map_err(too_many)?;
         if facets.is_empty() {
@@ -194,7 +193,7 @@ impl MapContext<'_> {
         let map = self
             .pose
             .contact_map(link, prepared.other_link(), centre, radius)
-            .map_err(|error| LinkMapError::Question(StudyError::input(Field::Link, error)))?;
+            .map_err(|error| LinkMapError::Question(StudyError::input("contact.link", error)))?;
         let mut skin = self.evaluate_facets(link, facets, &map);
         let found = self.findings(link, &skin);
         if let Some(other) = prepared.other_mass() {

@@ -1,7 +1,7 @@
 //! Pose at which several travels have requested displacements at once.
 
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::{Field, Names};
+use crate::question::names::Names;
 use crate::thresholds::{
     DEAD_CENTRE_GROWTH, LARGEST_RETREAT, LONGEST_DRIVER_STEP, OTHER_DRIVERS, TRAVEL_PARTS, TRAVEL_ROUNDS,
     TRAVEL_TOLERANCE,
@@ -227,7 +227,7 @@ pub(crate) fn move_drivers(
     let mut set = configuration.clone().without_guesses();
     for (driver, value) in drivers.iter().zip(at) {
         set.set(from.mechanism().joint(*driver).name(), &[*value])
-            .map_err(|error| StudyError::input(Field::Travel, error))?;
+            .map_err(|error| StudyError::input("pose.travel", error))?;
     }
     Ok(from.assembly().pose_from(from, &set)?)
 }

@@ -7,7 +7,7 @@ use crate::pose::joined_travels::JoinedTravels;
 use crate::pose::touch::Stop;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachedRow};
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::{Field, Names, assembly_error_message};
+use crate::question::names::{Names, assembly_error_message};
 use crate::question::travel::moved::MovedPoint;
 use crate::thresholds::{
     DEAD_CENTRE_APPROACH, LEAST_ADVANCE, LEAST_PART, LEAST_POINT_RATE, OTHER_DRIVERS, TRAVEL_STAGES,
@@ -22,8 +22,8 @@ pub(crate) struct PointTravel {
     travel: percuss_dynamics::Travel,
     /// Starting pose.
     pub start: Pose,
-    /// Field of the question that defines the travel.
-    field: Field,
+    /// Key that defines the travel.
+    field: &'static str,
     /// Set joints; these cannot drive the travel.
     set: Vec<JointId>,
     /// Travels that are solved with this one; `None` for a single point.
@@ -55,7 +55,7 @@ struct TravelStage {
 }
 
 /// Error of an invalid travel, given by a field of the question.
-fn refuse(field: Field, error: TravelError) -> StudyError {
+fn refuse(field: &'static str, error: TravelError) -> StudyError {
     match error {
         TravelError::Assembly(error) => StudyError::Assembly(error),
         other => StudyError::input(field, Fault::Travel(other)),
@@ -75,7 +75,7 @@ impl PointTravel {
     pub fn new(
         system: &System,
         base: &Configuration,
-        field: Field,
+        field: &'static str,
         moved: &MovedPoint,
         is_set: &dyn Fn(JointId) -> bool,
     ) -> Result<(Self, Driver), StudyError> {
@@ -90,7 +90,7 @@ impl PointTravel {
     pub fn joined(
         system: &System,
         base: &Configuration,
-        field: Field,
+        field: &'static str,
         moved: &[MovedPoint],
         offsets: &[f64],
         is_set: &dyn Fn(JointId) -> bool,
@@ -126,11 +126,11 @@ impl PointTravel {
             Stop::Joint(stop) => {
                 let travel = percuss_dynamics::Travel::of_joint(&start, stop.joint, stop.is_upper);
                 let name = || system.mechanism().joint(stop.joint).name().to_owned();
-                let refuse = || refuse(Field::At, TravelError::NoDriver { joint: name() });
+                let refuse = || refuse("contact.at", TravelError::NoDriver { joint: name() });
                 travel.ok_or_else(refuse)?
             }
         };
-        Self::with_driver(system, base, Field::At, (start, travel), is_set)
+        Self::with_driver(system, base, "contact.at", (start, travel), is_set)
     }
 
     /// Travel from its starting pose, and the driver. The rack of a suspension stays where it is, unless nothing else moves
@@ -138,7 +138,7 @@ impl PointTravel {
     fn with_driver(
         system: &System,
         base: &Configuration,
-        field: Field,
+        field: &'static str,
         (start, travel): (Pose, percuss_dynamics::Travel),
         is_set: &dyn Fn(JointId) -> bool,
     ) -> Result<(Self, Driver), StudyError> {
@@ -212,7 +212,7 @@ impl PointTravel {
                      \"{}\" moves the point too and keeps its position: set it{}",
                     name(driver.joint),
                     name(kept),
-                    Field::Set.hint(names)
+                    names.hint("pose.set")
                 )
             }
             (other, _) => other.to_string(),

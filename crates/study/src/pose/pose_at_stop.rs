@@ -2,7 +2,6 @@
 
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::FurtherContact;
 use crate::question::tables::contact::PoseTable;
@@ -40,7 +39,7 @@ pub fn pose_at_stop(
     let mechanism = system.mechanism();
     let name = |joint| mechanism.joint(joint).name().to_owned();
     let set = configuration.given().map(|(joint, values)| {
-        let refuse = |source| StudyError::input(Field::Set, Fault::Position { joint: name(joint), source });
+        let refuse = |source| StudyError::input("pose.set", Fault::Position { joint: name(joint), source });
         Ok((name(joint), GivenPosition::from_numbers(values).map_err(refuse)?))
     });
     let set = set.collect::<Result<Vec<_>, StudyError>>()?;
@@ -51,7 +50,7 @@ pub fn pose_at_stop(
     let resolved = question.resolve_contact(mechanism)?;
     let contact = match (question.named_contact(mechanism)?, question.spelled_contact(mechanism)?) {
         (Some(named), _) => Some(Contact::named(named, mechanism.root())),
-        (None, Some(stop @ FurtherContact::JointStop { .. })) => Some(stop.resolve(mechanism, Field::At)?),
+        (None, Some(stop @ FurtherContact::JointStop { .. })) => Some(stop.resolve(mechanism, "contact.at")?),
         _ => None,
     };
     let contact = contact.ok_or_else(|| {
@@ -59,14 +58,15 @@ pub fn pose_at_stop(
             "\"{stop}\" is no stop; expected the name of a contact, JOINT:lower or JOINT:upper; any other contact is evaluated at a \
              pose of the configuration"
         );
-        StudyError::input(Field::At, message)
+        StudyError::input("contact.at", message)
     })?;
     let mut at_limit = configuration.clone();
     for (joint, position) in &resolved.pose.set[question.pose.set.len()..] {
-        let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::At, error))?;
-        let refuse = |source| StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source });
+        let id = mechanism.find_joint(joint).map_err(|error| StudyError::input("contact.at", error))?;
+        let refuse =
+            |source| StudyError::input("contact.at", Fault::Position { joint: joint.clone(), source });
         let values = position.values_for_joint(mechanism.joint(id).kind()).map_err(refuse)?;
-        at_limit.set(joint, &values).map_err(|error| StudyError::input(Field::At, error))?;
+        at_limit.set(joint, &values).map_err(|error| StudyError::input("contact.at", error))?;
     }
     Ok((pose_solver::pose(system, &at_limit, &resolved)?, contact))
 }

@@ -7,8 +7,8 @@ use crate::pose::point_travel::PointTravel;
 use crate::pose::touch::{Stop, StopOfJoint, touching_stops};
 use crate::pose::unreachable_range::UnreachedRow;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
+use crate::question::names::Names;
 use crate::question::travel::given_travel::GivenTravel;
 use crate::question::travel::moved::{Moved, MovedPoint};
 use crate::thresholds::{
@@ -101,7 +101,7 @@ fn dependent_stop_pose(
                  set all of them except one",
                 drivers.join(", ")
             );
-            return Err(StudyError::input(Field::At, why));
+            return Err(StudyError::input("contact.at", why));
         }
     }
     let held: Vec<JointId> = drivers.iter().copied().filter(|driver| !moving.contains(driver)).collect();
@@ -328,13 +328,13 @@ pub(crate) fn moved_points(
             let why = format!(
                 "{first} and {second} both move the wheel; give one of them, or heave and roll of an axle"
             );
-            return Err(StudyError::input(Field::Travel, why));
+            return Err(StudyError::input("pose.travel", why));
         }
     }
     let mut all: Vec<(bool, MovedPoint)> = Vec::new();
     for given in &question.pose.travel {
         let is_wheel = matches!(given.moved, Moved::Wheels(_));
-        for point in given.moved.points(mechanism, Field::Travel, given.distance)? {
+        for point in given.moved.points(mechanism, "pose.travel", given.distance)? {
             match all.iter_mut().find(|(of_wheel, known)| *of_wheel && is_wheel && known.link == point.link) {
                 Some((_, known)) => known.distance += point.distance,
                 None => all.push((is_wheel, point)),
@@ -360,7 +360,7 @@ impl DrivenTravel {
         driven: &[JointId],
     ) -> Result<Self, StudyError> {
         let is_set = |joint| driven.contains(&joint);
-        let (travel, driver) = PointTravel::new(system, base, Field::Travel, moved, &is_set)?;
+        let (travel, driver) = PointTravel::new(system, base, "pose.travel", moved, &is_set)?;
         Ok(Self { travel, driver, distance: moved.distance })
     }
 

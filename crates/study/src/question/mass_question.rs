@@ -3,7 +3,7 @@
 use crate::model::loading::refuse_pipe;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::field::{Field, Names};
+use crate::question::names::Names;
 use crate::question::pose_file::GivenPose;
 use crate::question::row_source::path_in;
 use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
@@ -184,7 +184,7 @@ impl MassQuestion {
     /// # Errors
     /// [`InvalidKey`]: keys that exclude each other, or an unreadable file of positions.
     pub fn checked(mut self, folder: &Path, max_size: u64) -> Result<Self, InvalidKey> {
-        let refuse = |error: &dyn Display| InvalidKey::new(Field::Pose.key(), error.to_string());
+        let refuse = |error: &dyn Display| InvalidKey::new("pose.file", error.to_string());
         if let Some(file) = &self.pose.file {
             // The standard input and absolute paths are kept.
             let path = path_in(folder, file);
@@ -215,7 +215,7 @@ impl MassQuestion {
         if self.contact.has_normal() {
             if named.gap().is_some() {
                 let why = "the named contact is a stop, whose normal belongs to its gap; remove the normal, or give link, point and normal";
-                return Err(StudyError::input(Field::Normal, why));
+                return Err(StudyError::input("contact.normal", why));
             }
             let [x, y, z] = self.contact.normal.unwrap_or_default().0;
             contact = contact.with_normal([x, y, z], self.contact.normal_frame());
@@ -242,7 +242,8 @@ impl MassQuestion {
         if self.spelled_contact(mechanism)?.is_some() {
             return Ok(None);
         }
-        let find = |name: &String| mechanism.find_contact(name).map_err(|e| StudyError::input(Field::At, e));
+        let find =
+            |name: &String| mechanism.find_contact(name).map_err(|e| StudyError::input("contact.at", e));
         self.contact.at.as_ref().map(find).transpose()
     }
 

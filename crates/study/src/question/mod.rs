@@ -1,8 +1,8 @@
 //! Questions about a model: contact, conditions, damper, travel, varied values, and errors in them.
 
 pub(crate) mod errors;
-pub(crate) mod field;
 pub(crate) mod mass_question;
+pub(crate) mod names;
 pub(crate) mod pose_file;
 pub(crate) mod row_source;
 pub(crate) mod spelled_contact;

@@ -1,7 +1,7 @@
 //! Joint positions from a file: the JSON of a result, or an object of joints and positions.
 
 use crate::model::loading::{Input, Model, hexadecimal};
-use crate::question::field::Names;
+use crate::question::names::Names;
 use crate::values::message_text::truncate_for_message;
 use crate::values::position::GivenPosition;
 
@@ -368,7 +368,7 @@ impl GivenPose {
         if of.sha256 == own.sha256 {
             return None;
         }
-        let given = crate::question::field::Field::Pose.hint(names);
+        let given = names.hint("pose.file");
         let file =
             if self.input.sha256.is_empty() { String::new() } else { format!(" in {}", self.input.path) };
         Some(format!(

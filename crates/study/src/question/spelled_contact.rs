@@ -3,7 +3,6 @@
 
 use crate::question::errors::fault::Fault;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::{Hold, MassQuestion};
 use crate::question::tables::contact::{ContactTable, FrameName};
 use crate::values::position::GivenPosition;
@@ -196,8 +195,8 @@ pub fn contact_of_text(mechanism: &Mechanism, text: &str) -> Result<Contact, Stu
         Ok(_) => Ok(FurtherContact::Named(text.to_owned())),
         Err(_) => text.parse(),
     };
-    let refuse = |message: String| StudyError::input(Field::At, message);
-    spelled.map_err(refuse)?.resolve(mechanism, Field::At)
+    let refuse = |message: String| StudyError::input("contact.at", message);
+    spelled.map_err(refuse)?.resolve(mechanism, "contact.at")
 }
 
 impl FurtherContact {
@@ -205,7 +204,7 @@ impl FurtherContact {
     ///
     /// # Errors
     /// Unknown names; the stop of a joint that has several velocities, or none.
-    pub(crate) fn resolve(&self, mechanism: &Mechanism, field: Field) -> Result<Contact, StudyError> {
+    pub(crate) fn resolve(&self, mechanism: &Mechanism, field: &'static str) -> Result<Contact, StudyError> {
         let find = |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(field, error));
         let other = |name: &Option<String>| name.as_ref().map(find).transpose();
         match self {
@@ -246,7 +245,7 @@ impl MassQuestion {
     ) -> Result<Option<FurtherContact>, StudyError> {
         let is_spelled = |text: &&String| text.contains(':') && mechanism.find_contact(text).is_err();
         let Some(text) = self.contact.at.as_ref().filter(is_spelled) else { return Ok(None) };
-        let refuse = |message: String| StudyError::input(Field::At, message);
+        let refuse = |message: String| StudyError::input("contact.at", message);
         text.parse().map(Some).map_err(refuse)
     }
 
@@ -274,9 +273,9 @@ impl MassQuestion {
         }
         let is_moment = |text: &String| matches!(text.parse(), Ok(FurtherContact::Moment { .. }));
         let (field, contact) = match &self.contact.at {
-            Some(text) if is_moment(text) => (Field::At, "a moment about an axis"),
-            Some(_) => (Field::At, "the stop of a joint"),
-            None => (Field::AboutAxis, "a moment about an axis"),
+            Some(text) if is_moment(text) => ("contact.at", "a moment about an axis"),
+            Some(_) => ("contact.at", "the stop of a joint"),
+            None => ("contact.about_axis", "a moment about an axis"),
         };
         Err(StudyError::input(field, Fault::NoContactPoint { contact, result }))
     }
@@ -291,7 +290,7 @@ impl MassQuestion {
         let refuse = |field, message: &str| Err(StudyError::input(field, message));
         if self.contact.has_normal() {
             return refuse(
-                Field::Normal,
+                "contact.normal",
                 "the contact of `at` has its own normal; expected no further normal",
             );
         }
@@ -324,12 +323,12 @@ impl MassQuestion {
             FurtherContact::JointStop { joint, is_upper } => {
                 if self.contact.against_mass.is_some() {
                     return refuse(
-                        Field::AgainstMass,
+                        "contact.against_mass",
                         "the stop of a joint has no free body on the other side",
                     );
                 }
-                let unknown = |error| StudyError::input(Field::At, error);
-                let resolved = contact.resolve(mechanism, Field::At)?;
+                let unknown = |error| StudyError::input("contact.at", error);
+                let resolved = contact.resolve(mechanism, "contact.at")?;
                 let declared = mechanism.joint(mechanism.find_joint(joint).map_err(unknown)?);
                 let mut question = with(ContactTable::default().with_contact(&resolved, mechanism));
                 let master = declared.mimic().map(|mimic| mechanism.joint(mimic.master).name());
@@ -338,7 +337,7 @@ impl MassQuestion {
                 let is_given = self.pose.set.iter().any(is_set) || self.gives_pose();
                 if !is_given {
                     let limits = declared.limits().ok_or_else(|| {
-                        StudyError::input(Field::At, Fault::NoLimit { joint: joint.clone() })
+                        StudyError::input("contact.at", Fault::NoLimit { joint: joint.clone() })
                     })?;
                     let at = if *is_upper { limits.upper } else { limits.lower };
                     // A mimic cannot be set: the position of its master moves the mimic to its limit.
@@ -351,7 +350,7 @@ impl MassQuestion {
                     };
                     let position = GivenPosition::from_numbers(&[at]);
                     let wrong = |source| {
-                        StudyError::input(Field::At, Fault::Position { joint: joint.clone(), source })
+                        StudyError::input("contact.at", Fault::Position { joint: joint.clone(), source })
                     };
                     question.pose.set.push((moved, position.map_err(wrong)?));
                 }

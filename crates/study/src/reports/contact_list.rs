@@ -6,7 +6,6 @@ use crate::damper::sheet_forces::sheet_curve;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::mass::MassOptions;
@@ -76,7 +75,7 @@ pub fn contact_list(
     if contacts.is_empty() {
         let why = "the model names no contact; a suspension sheet names its stops, springs and dampers, a URDF names contacts by \
                    <contact> elements, an MJCF by its sites; give link, point and normal instead";
-        return Err(StudyError::input(Field::At, why));
+        return Err(StudyError::input("contact.at", why));
     }
     let question = |name: &str| (name.to_owned(), conditions.at_contact(name));
     let contacts: Vec<_> =

@@ -11,7 +11,6 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::Positions;
 use crate::question::errors::question_error::{StudyError, branch_limits_text};
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::tables::extremes::ExtremesQuestion;
@@ -286,7 +285,7 @@ pub fn safe_speeds(
     let of_direction = |direction: &[f64; 3]| {
         let contact = question.contact.with_normal(*direction, Frame::World);
         let question = MassQuestion { contact, ..question.clone() };
-        let of_field = |field| if field == Field::Normal { Field::Direction } else { field };
+        let of_field = |field| if field == "contact.normal" { "safe_speed.direction" } else { field };
         safe_speed(model, &question, asked).map_err(|error| error.with_field(of_field))
     };
     all.iter().map(of_direction).collect()
@@ -365,7 +364,7 @@ fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], S
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let map = pose.contact_map(contact.link, contact.against, contact.point, 0.0);
-    let map = map.map_err(|error| StudyError::input(Field::Point, error))?;
+    let map = map.map_err(|error| StudyError::input("contact.point", error))?;
     let weight = |mass: &EffectiveMass| match mass {
         EffectiveMass::Finite(m) => *m,
         EffectiveMass::Immovable => f64::INFINITY,

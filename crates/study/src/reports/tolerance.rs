@@ -7,7 +7,6 @@ use crate::evaluation::random_rows::RandomStream;
 use crate::model::changes::Changes;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::mass::{Sampling, Tolerance};
 use crate::reports::explain::{Explanation, changed_mass, explain_parts};
@@ -110,11 +109,11 @@ pub(crate) fn tolerances_of(
     let model = evaluated.prepared.model;
     if tolerance.point > 0.0 && model.hardpoints().is_empty() {
         let path = model.inputs.first().map_or_else(String::new, |input| input.path.clone());
-        return Err(StudyError::input(Field::Tolerance, no_sheet(&path)));
+        return Err(StudyError::input("mass.tolerance", no_sheet(&path)));
     }
     if let Some(Sampling { count, .. }) = sampling.filter(|s| !SAMPLES.contains(&s.count)) {
         let why = format!("{count} samples; {} to {} are possible", SAMPLES.start(), SAMPLES.end());
-        return Err(StudyError::input(Field::Samples, why));
+        return Err(StudyError::input("mass.samples", why));
     }
     let with_points = tolerance.point > 0.0;
     let Some(explanation) = explain_parts(evaluated, question, with_points) else { return Ok(None) };

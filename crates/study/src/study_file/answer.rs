@@ -11,8 +11,8 @@ use crate::map::surface_map::map;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
+use crate::question::names::Names;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::kinematics::TargetsQuestion;
 use crate::question::tables::map::MapQuestion;
@@ -302,8 +302,8 @@ impl StudyFile {
         // The contact gives the link and the point that the table of a map does not have.
         let is_of_map = |keys: [&str; 2]| keys.iter().any(|key| self.keys.contains(key));
         let of_map = |field| match field {
-            Field::Link if is_of_map(["map.link", "map.all"]) => Field::MapLink,
-            Field::Point if is_of_map(["map.point"; 2]) => Field::MapPoint,
+            "contact.link" if is_of_map(["map.link", "map.all"]) => "map.link",
+            "contact.point" if is_of_map(["map.point"; 2]) => "map.point",
             other => other,
         };
         macro_rules! asked {

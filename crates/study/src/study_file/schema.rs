@@ -1,6 +1,6 @@
 //! JSON schema of a study file, generated from the types that read the file, and the keys of the schema.
 
-use crate::question::field::TableKeys;
+use crate::question::names::TableKeys;
 use crate::study_file::text::StudyTables;
 use schemars::generate::SchemaSettings;
 use serde_json::{Map, Value};

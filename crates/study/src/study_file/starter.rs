@@ -4,8 +4,8 @@ use crate::checks::model_check::{CheckReport, JointRecord, check};
 use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::{Field, Names};
 use crate::question::mass_question::MassQuestion;
+use crate::question::names::{Names, conditions_error_key};
 use crate::question::tables::contact::{BaseName, ConditionsTable, ContactTable};
 use crate::reports::answer_mass::mass;
 use crate::reports::mass_report::MassReport;
@@ -30,7 +30,7 @@ pub fn starting_study(model: &Model, path: &str) -> Result<String, StudyError> {
     let (question, report) = contact(model, base(&seen))?;
     let conditions = Conditions::new().base(question.conditions.base());
     let system = System::new(Arc::clone(&model.mechanism), &conditions)
-        .map_err(|error| StudyError::input(Field::from_conditions_error(&error), error))?;
+        .map_err(|error| StudyError::input(conditions_error_key(&error), error))?;
     let mechanism = &model.mechanism;
     let bound = mechanism.joint_ids().filter(|joint| system.is_bound(*joint));
     let bound = bound.map(|joint| mechanism.joint(joint).name()).collect();

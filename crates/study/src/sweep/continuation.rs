@@ -5,7 +5,7 @@ use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
 use crate::pose::unreachable_range::{UnreachableExtent, UnreachableRange, UnreachedRow};
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::{Field, Names, assembly_error_message};
+use crate::question::names::{Names, assembly_error_message};
 use crate::sweep::plain_rows::PlainFindings;
 use crate::sweep::row_blocks::DistanceMeasure;
 use crate::sweep::row_layout::RowLayout;
@@ -200,7 +200,7 @@ pub(crate) fn reference(
     }
     match system.pose(&setting.zero_configuration()?) {
         Err(source) if !source.is_bad_input() => {
-            Err(StudyError::input(Field::Frame, Fault::NoReferencePose { source }))
+            Err(StudyError::input("contact.frame", Fault::NoReferencePose { source }))
         }
         other => Ok(other?),
     }

@@ -2,7 +2,6 @@
 
 use crate::evaluation::random_rows::RandomRows;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::travel::vary::EvenlySpacedValues;
 use crate::tables::trajectory::Trajectory;
 
@@ -97,7 +96,7 @@ impl RowReader {
                 Ok(RowBlock { first, count, values, width: random.width })
             }
             RowReader::File(file) => {
-                let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
+                let refuse = |error| StudyError::input("sweep.input", Fault::Table(Box::new(error)));
                 let (values, width) = (file.read(count).map_err(refuse)?, file.width());
                 Ok(RowBlock { first, count: values.len() / width.max(1), values, width })
             }

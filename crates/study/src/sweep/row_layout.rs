@@ -4,7 +4,6 @@ use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::pose::driver::Driver;
 use crate::pose::point_travel::PointTravel;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::travel::moved::{Moved, MovedPoint};
 use crate::question::travel::varied_values::VariedColumn;
 use crate::question::travel::vary::{Varied, Vary};
@@ -25,8 +24,8 @@ pub(crate) struct RowLayout {
     joints: Vec<LayoutJoint>,
     travel: Option<LayoutTravel>,
     pub columns: Arc<[VariedColumn]>,
-    /// Field of the question that defines the rows.
-    field: Field,
+    /// Key that defines the rows.
+    field: &'static str,
 }
 
 /// Joint set by the rows, and the range of its numbers in a row.
@@ -53,7 +52,7 @@ impl RowLayout {
     /// Layout of the ranges of a grid.
     pub fn from_grid(prepared: &PreparedQuestion, ranges: &[Vary]) -> Result<Self, StudyError> {
         let mechanism = prepared.system.mechanism();
-        let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+        let refuse = |fault: Fault| StudyError::input("sweep.vary", fault);
         let mut travel = None;
         let mut joints = Vec::new();
         for (number, vary) in ranges.iter().enumerate() {
@@ -78,13 +77,13 @@ impl RowLayout {
                     return Err(refuse(why.into()));
                 }
                 Varied::Travel(moved) => {
-                    let points = moved.points(mechanism, Field::Vary, 1.0)?;
+                    let points = moved.points(mechanism, "sweep.vary", 1.0)?;
                     let offsets = constant_displacements(prepared, moved, &points)?;
                     travel = Some((points, offsets, moved.clone()));
                 }
             }
         }
-        let mut setting = Self::from_joints(prepared, &joints, Field::Vary);
+        let mut setting = Self::from_joints(prepared, &joints, "sweep.vary");
         if let Some((points, offsets, moved)) = travel {
             let by_question =
                 prepared.question.pose.set.iter().filter_map(|(set, _)| mechanism.find_joint(set).ok());
@@ -101,7 +100,7 @@ impl RowLayout {
     }
 
     /// Layout of the positions of some joints, with all components in sequence.
-    pub fn from_joints(prepared: &PreparedQuestion, joints: &[JointId], field: Field) -> Self {
+    pub fn from_joints(prepared: &PreparedQuestion, joints: &[JointId], field: &'static str) -> Self {
         let mechanism = prepared.system.mechanism();
         let (mut set, mut columns, mut first) = (Vec::new(), Vec::new(), 0);
         for &joint in joints {
@@ -215,7 +214,7 @@ fn constant_displacements(
     let mechanism = prepared.system.mechanism();
     let mut offsets = vec![0.0; points.len()];
     for travel in prepared.question.pose.travel.iter().filter(|travel| travel.moved != *varied) {
-        for moved in travel.moved.points(mechanism, Field::Travel, travel.distance)? {
+        for moved in travel.moved.points(mechanism, "pose.travel", travel.distance)? {
             let of_point = points.iter().zip(&mut offsets).find(|(point, _)| point.link == moved.link);
             if let Some((_, offset)) = of_point {
                 *offset += moved.distance;
@@ -227,7 +226,7 @@ fn constant_displacements(
 
 /// Joint with this name, if a range can vary the joint.
 fn single_joint(prepared: &PreparedQuestion, name: &str) -> Result<JointId, StudyError> {
-    let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+    let refuse = |fault: Fault| StudyError::input("sweep.vary", fault);
     let mechanism = prepared.system.mechanism();
     let joint = mechanism.find_joint(name).map_err(|error| match mechanism.find_link(name) {
         Ok(link) => {

@@ -14,7 +14,6 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::positions::PoseLayout;
 use crate::pose::unreachable_range::SkippedRows;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::travel::given_travel::GivenTravel;
@@ -109,18 +108,18 @@ impl<'a> Sweep<'a> {
                 grid(&prepared, &ranges)?
             }
             RowSource::File(file) => {
-                let refuse = |error| StudyError::input(Field::Input, Fault::Table(Box::new(error)));
+                let refuse = |error| StudyError::input("sweep.input", Fault::Table(Box::new(error)));
                 let trajectory = Trajectory::open(&prepared, &file).map_err(refuse)?;
-                let setting = RowLayout::from_joints(&prepared, trajectory.joints(), Field::Input);
+                let setting = RowLayout::from_joints(&prepared, trajectory.joints(), "sweep.input");
                 (setting, RowReader::File(Box::new(trajectory)))
             }
             RowSource::Random { count, seed } => {
                 if count == 0 || count > GRID_ROWS {
                     let why = format!("{count} random rows; 1 to {GRID_ROWS} are possible");
-                    return Err(StudyError::input(Field::Random, why));
+                    return Err(StudyError::input("sweep.random", why));
                 }
                 let random = RandomRows::new(&prepared, count, seed)?;
-                (RowLayout::from_joints(&prepared, &random.joints, Field::Random), RowReader::Random(random))
+                (RowLayout::from_joints(&prepared, &random.joints, "sweep.random"), RowReader::Random(random))
             }
         };
         let seed = match &rows {
@@ -281,14 +280,14 @@ fn append_travel(prepared: &PreparedQuestion, source: RowSource) -> Result<RowSo
         _ => {
             let why = "a travel of the pose can be combined with ranges of joints only, not with a varied travel, a file of \
                        positions, random positions, or another travel";
-            Err(StudyError::input(Field::Travel, why))
+            Err(StudyError::input("pose.travel", why))
         }
     }
 }
 
 /// Row layout and rows of a grid.
 fn grid(prepared: &PreparedQuestion, ranges: &[Vary]) -> Result<(RowLayout, RowReader), StudyError> {
-    let refuse = |fault: Fault| StudyError::input(Field::Vary, fault);
+    let refuse = |fault: Fault| StudyError::input("sweep.vary", fault);
     let rows =
         |count| refuse(format!("{count} rows; {} to {} are possible", ROWS.start(), ROWS.end()).into());
     if let Some(vary) = ranges.iter().find(|vary| !ROWS.contains(&vary.count)) {

@@ -2,7 +2,7 @@
 
 use crate::question::errors::fault_texts::{no_limits, no_reference_pose, varied_is_set};
 use crate::question::errors::table_error::TableError;
-use crate::question::field::{Names, assembly_error_message, contact_error_message};
+use crate::question::names::{Names, assembly_error_message, contact_error_message};
 use crate::question::pose_file::GivenPoseError;
 use percuss_dynamics::{AssemblyError, ConditionsError, ConfigurationError, ContactError, TravelError};
 use percuss_impact::{ExtremesError, ImpactError, PercussionError, RangeError, RatesError, ReflectedError};

@@ -1,17 +1,17 @@
 //! Texts of faults that depend on the names of flags, study keys or fields.
 
-use crate::question::field::{Field, Names, assembly_error_message};
+use crate::question::names::{Names, assembly_error_message};
 use percuss_dynamics::AssemblyError;
 use percuss_mechanism::JointKind;
 
 /// Message: a joint is varied and set.
 pub(super) fn varied_is_set(joint: &str, names: Names) -> String {
-    format!("\"{joint}\": it is already set{}; use only one of the two", Field::Set.hint(names))
+    format!("\"{joint}\": it is already set{}; use only one of the two", names.hint("pose.set"))
 }
 
 /// Message: a joint without limits cannot have random positions.
 pub(super) fn no_limits(joint: &str, kind: JointKind, names: Names) -> String {
-    let (set, vary) = (Field::Set.hint(names), Field::Vary.hint(names));
+    let (set, vary) = (names.hint("pose.set"), names.hint("sweep.vary"));
     let what = match kind {
         JointKind::Planar | JointKind::Floating => "has no limits",
         JointKind::Fixed

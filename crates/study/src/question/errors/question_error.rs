@@ -1,8 +1,8 @@
 //! Errors of a question: the cause and the flag or key at fault.
 
 pub use crate::question::errors::fault::Fault;
-use crate::question::errors::refusal::{InvalidKey, flag};
-use crate::question::field::{Field, Names, TableKeys, assembly_error_message};
+use crate::question::errors::refusal::InvalidKey;
+use crate::question::names::{Names, TableKeys, assembly_error_message, contact_error_key, flag};
 use percuss_contact::exports::ExportError;
 use percuss_contact::{ContactLawError, LawParameter};
 use percuss_dynamics::{AssemblyError, EffectiveMass, ResponseError, RouteError};
@@ -23,10 +23,10 @@ pub enum StudyError {
         error: Box<StudyError>,
     },
     /// Invalid part of a question.
-    #[error("{}: {fault}", field.name_in(Names::Fields))]
+    #[error("{}: {fault}", Names::Fields.name_of(field))]
     Input {
         /// Part of the question.
-        field: Field,
+        field: &'static str,
         /// Fault.
         fault: Box<Fault>,
     },
@@ -37,7 +37,7 @@ pub enum StudyError {
     #[error(transparent)]
     Assembly(#[from] AssemblyError),
     /// Travel that ends before the requested displacement.
-    #[error("{}: {why}", Field::Travel.name_in(Names::Fields))]
+    #[error("{}: {why}", Names::Fields.name_of("pose.travel"))]
     TravelNotReached {
         /// Reason, and the reachable displacement.
         why: String,
@@ -116,12 +116,12 @@ pub enum StudyError {
 
 impl StudyError {
     /// Error about one part of the question.
-    pub(crate) fn input(field: Field, fault: impl Into<Fault>) -> Self {
+    pub(crate) fn input(field: &'static str, fault: impl Into<Fault>) -> Self {
         StudyError::Input { field, fault: Box::new(fault.into()) }
     }
 
     /// Same error about another part of the question.
-    pub(crate) fn with_field(self, replace: impl Fn(Field) -> Field) -> Self {
+    pub(crate) fn with_field(self, replace: impl Fn(&'static str) -> &'static str) -> Self {
         match self {
             StudyError::Input { field, fault } => StudyError::Input { field: replace(field), fault },
             other => other,
@@ -148,10 +148,10 @@ impl StudyError {
     pub fn key(&self) -> Option<String> {
         let table = if let StudyError::InTable { table, .. } = self { Some(*table) } else { None };
         match self.without_table() {
-            StudyError::Input { field, .. } => Some(field.name_in(Names::Keys(table)).to_owned()),
+            StudyError::Input { field, .. } => Some(Names::Keys(table).name_of(field)),
             StudyError::Key(error) => Some(error.key.to_owned()),
             StudyError::Assembly(AssemblyError::Dependent { .. }) => {
-                Some(Field::Set.name_in(Names::Keys(table)).to_owned())
+                Some(Names::Keys(table).name_of("pose.set"))
             }
             error => error.parameter().and_then(|parameter| parameter_key(parameter, table)),
         }
@@ -172,7 +172,7 @@ impl StudyError {
         match self {
             StudyError::Assembly(error @ AssemblyError::Dependent { .. }) => match &error {
                 AssemblyError::Dependent { joint, .. } if is_varied(joint) => {
-                    StudyError::input(Field::Vary, Fault::Dependent(Box::new(error)))
+                    StudyError::input("sweep.vary", Fault::Dependent(Box::new(error)))
                 }
                 _ => StudyError::Assembly(error),
             },
@@ -213,16 +213,16 @@ impl StudyError {
             StudyError::InTable { table, error } => error.message(names.in_table(table)),
             StudyError::Key(error) => error.message(names),
             StudyError::Input { field, fault } => {
-                format!("{}: {}", field.name_in(names), fault.message(names))
+                format!("{}: {}", names.name_of(field), fault.message(names))
             }
             StudyError::Assembly(error @ AssemblyError::Dependent { .. }) if names != Names::Fields => {
-                format!("{}: {}", Field::Set.name_in(names), assembly_error_message(error, names))
+                format!("{}: {}", names.name_of("pose.set"), assembly_error_message(error, names))
             }
             StudyError::Assembly(error) => assembly_error_message(error, names),
             StudyError::TravelNotReached { why, motion: Some(motion), .. } if names == Names::Flags => {
                 format!("--{motion}: {why}")
             }
-            StudyError::TravelNotReached { why, .. } => format!("{}: {why}", Field::Travel.name_in(names)),
+            StudyError::TravelNotReached { why, .. } => format!("{}: {why}", names.name_of("pose.travel")),
             StudyError::StopNotReached { name, gap, nearest, is_smallest, alone, unit, why } => {
                 stop_not_reached(name, (*gap, *nearest, *is_smallest), alone.as_deref(), *unit, why, names)
             }
@@ -276,7 +276,7 @@ fn stop_not_reached(
                 format!("the search ends after {nearest}, and {remaining} remain there")
             };
             let set = alone.map_or_else(String::new, |[_, kept]| {
-                let hint = Field::Set.hint(names);
+                let hint = names.hint("pose.set");
                 format!("joint \"{kept}\" moves the stop too and keeps its position: set it{hint}, or ")
             });
             format!("{found}; {set}give a travel{travel} for the mass at another pose")
@@ -318,7 +318,7 @@ fn joint_stop_not_reached(
 
 /// Message: another side is given in a question about a person.
 fn person_is_other_side_message(names: Names) -> String {
-    let [against, mass] = [Field::Against, Field::AgainstMass].map(|field| field.name_in(names));
+    let [against, mass] = ["contact.against", "contact.against_mass"].map(|field| names.name_of(field));
     format!("the other side is the person: leave {against} and {mass} out")
 }
 
@@ -361,7 +361,7 @@ pub(crate) fn branch_limits_text(limits: &[EffectiveMass], complete: bool) -> St
 impl From<ResponseError> for StudyError {
     fn from(error: ResponseError) -> Self {
         match error {
-            ResponseError::Contact(error) => StudyError::input(Field::from_contact_error(&error), error),
+            ResponseError::Contact(error) => StudyError::input(contact_error_key(&error), error),
             ResponseError::Route(error) => StudyError::Route(error),
             other => StudyError::Response(other),
         }

@@ -1,6 +1,6 @@
 //! Invalid value of a table of a question.
 
-use crate::question::field::Names;
+use crate::question::names::{Names, flag};
 
 /// Invalid value of a table: key and reason.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
@@ -58,17 +58,12 @@ impl InvalidKey {
     /// Message with the name of the flag, the key or the field.
     pub fn message(&self, names: Names) -> String {
         let reason = self.reason(names);
-        match (names, self.key.rsplit_once('.')) {
-            (Names::Keys(_), _) => format!("{}: {reason}", self.key),
-            (Names::Flags, Some((_, "file"))) => format!("--pose: {reason}"),
-            (Names::Flags, Some((_, key))) => format!("{}: {reason}", flag(key)),
-            (Names::Fields, Some((_, key))) => format!("{key}: {reason}"),
-            (Names::Flags | Names::Fields, None) => reason,
+        match names {
+            Names::Keys(_) => format!("{}: {reason}", self.key),
+            Names::Flags | Names::Fields if self.key.contains('.') => {
+                format!("{}: {reason}", names.name_of(self.key))
+            }
+            Names::Flags | Names::Fields => reason,
         }
     }
-}
-
-/// Flag of a key.
-pub(crate) fn flag(key: &str) -> String {
-    format!("--{}", key.replace('_', "-"))
 }

@@ -1,6 +1,6 @@
 //! Errors of a file of positions: place, cause, expected value and remedy.
 
-use crate::question::field::{Field, Names};
+use crate::question::names::{Names, flag};
 use percuss_dynamics::{AssemblyError, ConfigurationError};
 use percuss_mechanism::UnknownName;
 use percuss_tables::FormatFault;
@@ -134,9 +134,9 @@ impl TableError {
 
     /// Remedy for the end of the message, with the flag or key.
     fn remedy(&self, names: Names) -> String {
-        let given = |field: Field, value: &str| match names {
-            Names::Flags => format!(" ({} {value})", field.flag()),
-            Names::Keys(_) => format!(" ({})", field.key()),
+        let given = |field: &'static str, value: &str| match names {
+            Names::Flags => format!(" ({} {value})", flag(field)),
+            Names::Keys(_) => format!(" ({field})"),
             Names::Fields => String::new(),
         };
         let name = self.column.as_ref().map_or("", |(_, name)| name.as_str());
@@ -145,13 +145,13 @@ impl TableError {
             | TableFault::Mimic { .. }
             | TableFault::Fixed { .. }
             | TableFault::Dependent(_) => {
-                format!("; or leave the column out{}", given(Field::Ignore, &format!("\"{name}\"")))
+                format!("; or leave the column out{}", given("sweep.ignore", &format!("\"{name}\"")))
             }
             TableFault::Missing { columns } => {
                 let joint = columns.first().map_or("JOINT", |c| c.split('[').next().unwrap_or(c));
-                format!("; add them, or set them{}", given(Field::Set, &format!("{joint}=VALUE")))
+                format!("; add them, or set them{}", given("pose.set", &format!("{joint}=VALUE")))
             }
-            TableFault::IsSet { .. } => given(Field::Set, ""),
+            TableFault::IsSet { .. } => given("pose.set", ""),
             _ => String::new(),
         }
     }

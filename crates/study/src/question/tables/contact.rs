@@ -4,7 +4,6 @@
 use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::field::Field;
 use crate::question::mass_question::{EstimateQuestion, RatioPoint};
 use crate::question::travel::given_travel::GivenTravel;
 use crate::values::drives::{self, GivenSpring};
@@ -469,8 +468,9 @@ impl ContactTable {
                 None => Direction::Along(self.normal.unwrap_or_default().0.into(), self.normal_frame()),
             });
         };
-        let link =
-            mechanism.find_link(&line.link).map_err(|error| StudyError::input(Field::AlongLine, error))?;
+        let link = mechanism
+            .find_link(&line.link)
+            .map_err(|error| StudyError::input("contact.along_line", error))?;
         let direction = match (self.cable, self.turning_normal) {
             (true, _) => Direction::TurningAwayFrom,
             (_, true) => Direction::TurningToward,

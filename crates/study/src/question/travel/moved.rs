@@ -1,7 +1,6 @@
 //! Moved part of a travel: a point, or the wheels of a vehicle.
 
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::thresholds::MAX_WHEEL_TRAVEL;
 use nalgebra::Vector3;
 use percuss_mechanism::{LinkId, Mechanism};
@@ -49,13 +48,13 @@ impl WheelMotion {
     }
 
     /// Wheel centres, each with its travel at a unit of the motion. `field`: origin of the travel, for messages.
-    fn wheels(self, mechanism: &Mechanism, field: Field) -> Result<Vec<(LinkId, f64)>, Fault> {
+    fn wheels(self, mechanism: &Mechanism, field: &'static str) -> Result<Vec<(LinkId, f64)>, Fault> {
         let wheels = wheel_centres(mechanism, "");
         let fault = |why: &str| Fault::from(format!("{}: {why}", self.name()));
         let is_right = |wheel: &LinkId| mechanism.link(*wheel).name().ends_with("_right");
         match (self, wheels.len()) {
             (_, 0) => Err(fault("the model has no link named wheel_centre, as imported suspensions have")),
-            (WheelMotion::WheelTravel, 2..) if field == Field::Vary => Err(fault(
+            (WheelMotion::WheelTravel, 2..) if field == "sweep.vary" => Err(fault(
                 "the model has two wheels: vary heave (both alike), roll (left up, right down), or the travel of one, \
                  travel:wheel_centre_left:0,0,0:0,0,1=FROM:TO:COUNT",
             )),
@@ -152,7 +151,7 @@ impl Moved {
     pub(crate) fn points(
         &self,
         mechanism: &Mechanism,
-        field: Field,
+        field: &'static str,
         distance: f64,
     ) -> Result<Vec<MovedPoint>, StudyError> {
         match self {

@@ -5,7 +5,6 @@ use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::exports::{CodeQuestion, LanguageName};
 use nalgebra::Vector3;
@@ -76,12 +75,13 @@ pub fn generate_code(
     let mechanism = &model.mechanism;
     let mut armatures = Vec::new();
     for (joint, values) in &question.conditions.armature {
-        let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(Field::Armature, error))?;
+        let id =
+            mechanism.find_joint(joint).map_err(|error| StudyError::input("conditions.armature", error))?;
         armatures.push((id, values.clone()));
     }
     let mut holds = Vec::new();
     for hold in &question.hold {
-        let link = mechanism.find_link(&hold.link).map_err(|error| StudyError::input(Field::Hold, error))?;
+        let link = mechanism.find_link(&hold.link).map_err(|error| StudyError::input("hold", error))?;
         holds.push(HeldPoint { link, point: hold.point.into(), normal: hold.normal.map(Vector3::from) });
     }
     let request = Request {

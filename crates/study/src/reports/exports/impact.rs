@@ -10,7 +10,6 @@ use crate::damper::simulators::ExportRecord;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::{JointStop, StopEnd};
 use crate::question::tables::damping::{DampingQuestion, Tools};
@@ -329,17 +328,17 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), StudyError> {
     let conditions = [
         (
             !question.conditions.lock.is_empty(),
-            Field::Lock,
+            "conditions.lock",
             "replace the joint by a fixed joint in the model file",
         ),
-        (!question.hold.is_empty(), Field::Hold, "add a loop to the model file"),
-        (!question.conditions.armature.is_empty(), Field::Armature, in_model),
+        (!question.hold.is_empty(), "hold", "add a loop to the model file"),
+        (!question.conditions.armature.is_empty(), "conditions.armature", in_model),
         (
             question.contact.against_mass().is_some(),
-            Field::AgainstMass,
+            "contact.against_mass",
             "add the body to the model file and name it by --against",
         ),
-        (question.contact.estimate.is_some(), Field::Estimate, "use percuss mass"),
+        (question.contact.estimate.is_some(), "contact.estimate", "use percuss mass"),
     ];
     match conditions.into_iter().find(|(is_given, ..)| *is_given) {
         Some((_, condition, remedy)) => Err(not_written(condition, remedy)),
@@ -348,14 +347,15 @@ fn refuse_conditions(question: &MassQuestion) -> Result<(), StudyError> {
 }
 
 /// Refusal of a condition that has no form in the file.
-fn not_written(condition: Field, remedy: &str) -> StudyError {
+fn not_written(condition: &'static str, remedy: &str) -> StudyError {
     StudyError::input(condition, format!("not written to a model of a simulator; {remedy}"))
 }
 
 /// Range of a joint whose end is its position at the stop. The other end is the other limit, or far away.
 fn limit(evaluated: &EvaluatedQuestion<'_>, stop: &JointStop) -> Result<ImpactContact, ImpactExportError> {
     let mechanism = evaluated.pose.mechanism();
-    let joint = mechanism.find_joint(&stop.joint).map_err(|error| StudyError::input(Field::Limit, error))?;
+    let joint =
+        mechanism.find_joint(&stop.joint).map_err(|error| StudyError::input("damping.limit", error))?;
     let at = evaluated.pose.joint(joint)[0];
     let limits = mechanism.joint(joint).limits();
     let far = |limit: Option<f64>, toward: f64| {
@@ -379,7 +379,7 @@ fn with_floating_root(
     let builder = mechanism.to_builder().link(LinkDescription::massless(WORLD)).joint(joint);
     let Built { mechanism, .. } = builder.build().map_err(|_| {
         let remedy = "add a floating joint to the model file; its root link cannot have the name \"world\", nor a joint the name ROOT_floating";
-        not_written(Field::Base, remedy)
+        not_written("conditions.base", remedy)
     })?;
     let (pose, twist) = (state.link_poses[root.index()], state.link_twists[root.index()]);
     let q = UnitQuaternion::from_rotation_matrix(&Rotation3::from_matrix_unchecked(pose.rotation));

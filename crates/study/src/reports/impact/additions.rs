@@ -4,7 +4,6 @@ use crate::damper::damping::damper;
 use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::tables::impact::{ImpactQuestion, PercussionRequest};
 use crate::thresholds::{CONVERGED_SPEED, SPEED_ITERATIONS, UNCHANGED_RATE};
 use crate::values::drives::GearLimit;
@@ -61,7 +60,11 @@ pub struct GreatestSpeedRecord {
 const GROUND: &str = "ground";
 
 /// Finds a bearing by the name of a joint or of a closure. `ground` and the name of the root link give the ground under the root link.
-pub(crate) fn find_bearing(mechanism: &Mechanism, field: Field, name: &str) -> Result<Bearing, StudyError> {
+pub(crate) fn find_bearing(
+    mechanism: &Mechanism,
+    field: &'static str,
+    name: &str,
+) -> Result<Bearing, StudyError> {
     let closure = mechanism.closures().iter().position(|closure| closure.name() == name);
     let is_ground = name == GROUND || name == mechanism.link(mechanism.root()).name();
     match closure {
@@ -87,7 +90,7 @@ pub(crate) fn find_bearing(mechanism: &Mechanism, field: Field, name: &str) -> R
 /// Rates in SI units, with the joint.
 pub(crate) fn rates_of(
     mechanism: &Mechanism,
-    field: Field,
+    field: &'static str,
     (name, given): &(String, GivenRates),
 ) -> Result<(JointId, Vec<f64>), StudyError> {
     let joint = find_joint(mechanism, field, name)?;
@@ -103,15 +106,15 @@ pub(crate) fn percussion(
     let (pose, contact) = (&evaluated.pose, &evaluated.contact);
     let centre = |request: &PercussionRequest| {
         let mechanism = &evaluated.prepared.model.mechanism;
-        let bearing = find_bearing(mechanism, Field::Percussion, &request.joint)?;
+        let bearing = find_bearing(mechanism, "impact.percussion", &request.joint)?;
         let found = match request.direction {
             Some(direction) => centre_of_percussion(pose, contact, bearing, direction.into()),
             None => centre_of_percussion_in_plane(pose, contact, bearing),
         };
-        let found = found.map_err(|error| StudyError::input(Field::Percussion, error))?;
+        let found = found.map_err(|error| StudyError::input("impact.percussion", error))?;
         let worst =
             question.point_error.map(|radius| worst_reaction_within(pose, contact, bearing, radius.0));
-        let worst = worst.transpose().map_err(|error| StudyError::input(Field::PointError, error))?;
+        let worst = worst.transpose().map_err(|error| StudyError::input("impact.point_error", error))?;
         Ok(PercussionRecord {
             worst_ratio: worst.as_ref().map(|worst| worst.worst_reaction),
             worst_point_link: worst.as_ref().map(|worst| worst.point.into()),
@@ -138,15 +141,15 @@ pub(crate) fn greatest_speed(
     let mut limits = Vec::new();
     let is_changed = |joint: JointId| !unchanged_joints(evaluated).contains(&joint);
     for given in &question.rate_limit {
-        let (joint, values) = rates_of(mechanism, Field::RateLimit, given)?;
+        let (joint, values) = rates_of(mechanism, "impact.rate_limit", given)?;
         let expected = mechanism.joint(joint).kind().dofs();
         if values.len() != expected {
             let (joint, got) = (&given.0, values.len());
             let why = format!("joint \"{joint}\": {got} rates are given; expected {expected}");
-            return Err(StudyError::input(Field::RateLimit, why));
+            return Err(StudyError::input("impact.rate_limit", why));
         }
         if let Some(&value) = values.iter().find(|value| **value <= 0.0) {
-            return Err(StudyError::input(Field::RateLimit, limit_text(&given.0, value)));
+            return Err(StudyError::input("impact.rate_limit", limit_text(&given.0, value)));
         }
         if is_changed(joint) {
             limits.extend(values.into_iter().enumerate().map(|(k, value)| (joint, k, value)));
@@ -208,8 +211,8 @@ fn gear_limits(
     let mechanism = &evaluated.prepared.model.mechanism;
     let (mut impulses, mut torques) = (Vec::new(), Vec::new());
     for (name, given) in &question.gear_limit {
-        let refuse = |fault: Fault| StudyError::input(Field::GearLimit, fault);
-        let joint = find_joint(mechanism, Field::GearLimit, name)?;
+        let refuse = |fault: Fault| StudyError::input("impact.gear_limit", fault);
+        let joint = find_joint(mechanism, "impact.gear_limit", name)?;
         let kind = mechanism.joint(joint).kind();
         let wrong = |source| refuse(Fault::Position { joint: name.clone(), source });
         let limits = given.limits_for_joint(kind).map_err(wrong)?;
@@ -254,7 +257,7 @@ fn greatest_speed_of_torques(
     let refuse = || {
         let why =
             "a limit in N·m or N requires the stiffness of the contact, which determines the peak torque";
-        StudyError::input(Field::GearLimit, why)
+        StudyError::input("impact.gear_limit", why)
     };
     // For a force curve, the steps are those of a linear spring.
     let exponent = question.contact_law(1.0).ok_or_else(refuse)?.exponent();

@@ -1,23 +1,22 @@
 //! Errors of impacts, with the part of the question at fault.
 
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::tables::impact::ImpactQuestion;
 use percuss_impact::ImpactError;
 
 /// Error of an impact, about the part of the question at fault.
 pub(crate) fn impact_error(error: ImpactError, impact: &ImpactQuestion) -> StudyError {
     match error {
-        ImpactError::Friction { .. } => StudyError::input(Field::Friction, error),
+        ImpactError::Friction { .. } => StudyError::input("impact.friction", error),
         ImpactError::NoEnd { .. } if impact.friction.is_some() => {
-            StudyError::input(Field::RestitutionLaw, error)
+            StudyError::input("impact.restitution_law", error)
         }
-        ImpactError::Restitution { .. } => StudyError::input(Field::Restitution, error),
+        ImpactError::Restitution { .. } => StudyError::input("impact.restitution", error),
         ImpactError::ClosingSpeed { .. } if impact.speed.is_some() => {
-            StudyError::input(Field::ClosingSpeed, error)
+            StudyError::input("impact.speed", error)
         }
         ImpactError::Spring { .. } | ImpactError::SpringJoint { .. } => {
-            StudyError::input(Field::JointSpring, error)
+            StudyError::input("impact.joint_spring", error)
         }
         _ => StudyError::NoImpact(error),
     }

@@ -12,7 +12,6 @@ use crate::evaluation::status::{Status, mass_unit};
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::tables::damping::DampingQuestion;
@@ -181,14 +180,14 @@ pub fn extremes(
     let prepared = PreparedQuestion::new(model, question)?;
     if prepared.other_mass().is_some() {
         let why = "extremes are those of the mechanism alone; expected no free body on the other side";
-        return Err(StudyError::input(Field::AgainstMass, why));
+        return Err(StudyError::input("contact.against_mass", why));
     }
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let is_moment = contact.normal.is_moment();
     let law = extremes.contact_law().filter(|_| extremes.certify.is_none());
     if let Some(law) = &law {
-        law.check_dimensions(Field::ExtremesStiffness, Field::ExtremesSpeed, is_moment)?;
+        law.check_dimensions("extremes.stiffness", "extremes.speed", is_moment)?;
     }
     let requested = extremes.quantity();
     let (quantity, unit) = searched_quantity(requested, &model.mechanism, is_moment, law.as_ref())?;
@@ -305,26 +304,26 @@ fn searched_quantity(
     law: Option<&DampingQuestion>,
 ) -> Result<(SearchedQuantity, &'static str), StudyError> {
     if law.is_some() && !matches!(requested, GivenQuantity::Peak(_)) {
-        return Err(StudyError::input(Field::Quantity, PEAK_AND_LAW));
+        return Err(StudyError::input("extremes.quantity", PEAK_AND_LAW));
     }
     let Some(name) = requested.joint() else {
         return Ok((SearchedQuantity::EffectiveMass, mass_unit(is_moment)));
     };
-    let bearing = || find_bearing(mechanism, Field::Quantity, name);
+    let bearing = || find_bearing(mechanism, "extremes.quantity", name);
     let held = match requested {
         GivenQuantity::Bearing(_) => {
             let quantity = SearchedQuantity::BearingImpulse { bearing: bearing()? };
             return Ok((quantity, if is_moment { "kg·m" } else { "kg" }));
         }
         GivenQuantity::Peak(_) => {
-            let law = law.ok_or_else(|| StudyError::input(Field::Quantity, PEAK_AND_LAW))?;
+            let law = law.ok_or_else(|| StudyError::input("extremes.quantity", PEAK_AND_LAW))?;
             let law = peak_force_law(law)?;
             return Ok((SearchedQuantity::BearingPeakForce { bearing: bearing()?, law }, "N"));
         }
         GivenQuantity::Mass | GivenQuantity::Reflected(_) => false,
         GivenQuantity::Held(_) => true,
     };
-    let joint = find_joint(mechanism, Field::Quantity, name)?;
+    let joint = find_joint(mechanism, "extremes.quantity", name)?;
     let quantity = SearchedQuantity::ReflectedInertia { joint, held };
     let slides = mechanism.joint(joint).kind() == JointKind::Prismatic;
     Ok((quantity, if slides { "kg" } else { "kg·m²" }))
@@ -332,7 +331,7 @@ fn searched_quantity(
 /// Peak force of a contact law at its closing speed, as a function force · m̄^power of the effective mass.
 fn peak_force_law(law: &DampingQuestion) -> Result<PeakForceLaw, StudyError> {
     let force = damper(law, 1.0)?.peak_force;
-    let force = force.ok_or_else(|| StudyError::input(Field::Quantity, PEAK_AND_LAW))?;
+    let force = force.ok_or_else(|| StudyError::input("extremes.quantity", PEAK_AND_LAW))?;
     Ok(PeakForceLaw { force, power: law.exponent() / (law.exponent() + 1.0) })
 }
 
@@ -373,7 +372,7 @@ impl ExtremesSearch<'_> {
             let poses = SearchedPoses { ranges: &ranges, kept: &kept };
             let (system, start) = (&prepared.system, &prepared.configuration);
             let found = extreme_quantity(system, start, self.contact, self.quantity, poses, extreme, starts);
-            found.map(|found| (found, None)).map_err(|error| search_error(error, Field::Range))
+            found.map(|found| (found, None)).map_err(|error| search_error(error, "extremes.range"))
         };
         let mechanism = &prepared.model.mechanism;
         Ok(Found {
@@ -392,7 +391,7 @@ impl ExtremesSearch<'_> {
         let mut points = Vec::new();
         for keep in &self.question.keep {
             let link =
-                mechanism.find_link(&keep.link).map_err(|error| StudyError::input(Field::Keep, error))?;
+                mechanism.find_link(&keep.link).map_err(|error| StudyError::input("extremes.keep", error))?;
             match keep.point {
                 None => points.extend(KeptPoint::of_link(link, mechanism.characteristic_length())),
                 Some(point) => {
@@ -410,7 +409,7 @@ impl ExtremesSearch<'_> {
         if !self.question.range.is_empty() || !self.question.keep.is_empty() {
             let why =
                 "a path gives all positions of the search; expected neither ranges nor kept points with it";
-            return Err(StudyError::input(Field::Path, why));
+            return Err(StudyError::input("extremes.path", why));
         }
         let is_path = match source {
             RowSource::Grid(ranges) => ranges.len() == 1,
@@ -419,7 +418,7 @@ impl ExtremesSearch<'_> {
         };
         if !is_path {
             let why = "a path is a file of positions, or one range; expected neither several ranges nor random rows";
-            return Err(StudyError::input(Field::Path, why));
+            return Err(StudyError::input("extremes.path", why));
         }
         let sweep = Sweep::new(prepared.model, question, source)?;
         let mechanism = &prepared.model.mechanism;
@@ -462,7 +461,8 @@ impl ExtremesSearch<'_> {
         let search = |extreme| -> Result<OnPath, StudyError> {
             let (system, start) = (&prepared.system, &prepared.configuration);
             let found = extreme_along_path(system, start, self.contact, self.quantity, &path, extreme);
-            let ExtremeOnPath { extreme, row } = found.map_err(|error| search_error(error, Field::Path))?;
+            let ExtremeOnPath { extreme, row } =
+                found.map_err(|error| search_error(error, "extremes.path"))?;
             // The search counts reachable rows only; `numbers` maps them to the rows of the input.
             let (first, part) = (row.floor(), row - row.floor());
             let between = |of: &dyn Fn(usize) -> f64| {

@@ -5,7 +5,6 @@ use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::stop_not_reached::stop_not_reached;
 use crate::pose::touch::StopOfJoint;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::spelled_contact::FurtherContact;
 use crate::question::tables::impact::ImpactQuestion;
 use percuss_dynamics::{Contact, Direction, Gap};
@@ -29,7 +28,7 @@ impl TouchingContact {
     pub fn new(evaluated: &EvaluatedQuestion, contact: &FurtherContact) -> Result<Self, StudyError> {
         let pose = &evaluated.pose;
         let mechanism = pose.mechanism();
-        let resolved = contact.resolve(mechanism, Field::Also)?;
+        let resolved = contact.resolve(mechanism, "impact.also")?;
         let sides = |link: &String, against: &Option<String>| match against {
             Some(other) => format!("{link} against {other}"),
             None => link.clone(),
@@ -71,7 +70,7 @@ impl TouchingContact {
             Direction::Along(..) | Direction::Toward(..) => return Ok(()),
         };
         let fault = Fault::NoContactPoint { contact, result: "sticking contact point" };
-        Err(StudyError::input(Field::Sticking, fault))
+        Err(StudyError::input("impact.sticking", fault))
     }
 }
 

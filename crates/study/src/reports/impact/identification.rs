@@ -11,7 +11,6 @@ use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::errors::table_error::TableError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::identify::IdentifyQuestion;
 use crate::reports::explain::explain_parts;
@@ -146,7 +145,7 @@ pub fn identify_contact(
     mass: Option<f64>,
 ) -> Result<IdentificationReport, StudyError> {
     asked.check()?;
-    let in_file = |error| StudyError::input(Field::Data, Fault::Table(Box::new(error)));
+    let in_file = |error| StudyError::input("identify.data", Fault::Table(Box::new(error)));
     let (mut records, mut columns, mut inputs) = (Vec::new(), Vec::new(), Vec::new());
     let (mut diagnostics, mut numbers) = (Vec::new(), 0);
     for (file, path) in asked.data.iter().enumerate() {
@@ -172,7 +171,7 @@ pub fn identify_contact(
         ContactLawError::Record { record: Some(number), why } => {
             in_file(TableError::in_file(&asked.data[number], why))
         }
-        ContactLawError::Record { record: None, why } => StudyError::input(Field::Data, why),
+        ContactLawError::Record { record: None, why } => StudyError::input("identify.data", why),
         error => error.into(),
     })?;
     diagnostics.extend(contradictions(asked, &found));

@@ -3,7 +3,6 @@
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
 use crate::evaluation::status::Status;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::contact::ConditionsTable;
 use percuss_dynamics::{Configuration, EffectiveMass, Pose};
@@ -43,10 +42,11 @@ pub(crate) fn mass_states(evaluated: &EvaluatedQuestion) -> Result<Vec<MassState
     let response = |pose: &Pose| -> Result<[EffectiveMass; 2], StudyError> {
         let found = pose.respond(&evaluated.contact)?;
         let sticking = held_point_mass(pose, &found.contact);
-        Ok([found.effective_mass, sticking.map_err(|error| StudyError::input(Field::Link, error))?])
+        Ok([found.effective_mass, sticking.map_err(|error| StudyError::input("contact.link", error))?])
     };
     let located = &evaluated.result.response.contact;
-    let locked = locked_body_masses(pose, located).map_err(|error| StudyError::input(Field::Link, error))?;
+    let locked =
+        locked_body_masses(pose, located).map_err(|error| StudyError::input("contact.link", error))?;
     let decoupled = response(&changed_pose(evaluated, &decoupled)?)?;
     let all =
         [("rotors-decoupled", decoupled), ("rotors-coupled", response(pose)?), ("joints-locked", locked)];
@@ -69,7 +69,7 @@ fn changed_pose(evaluated: &EvaluatedQuestion, question: &MassQuestion) -> Resul
     let EvaluatedQuestion { prepared, pose, .. } = evaluated;
     let mechanism = &prepared.model.mechanism;
     let mut positions = Configuration::from_positions(mechanism, pose.positions())
-        .map_err(|error| StudyError::input(Field::Set, error))?;
+        .map_err(|error| StudyError::input("pose.set", error))?;
     positions.set_base(*pose.base());
     Ok(compile(mechanism, question, None)?.pose(&positions)?)
 }

@@ -13,7 +13,6 @@ use crate::model::record::DiagnosticRecord;
 use crate::pose::pose_solver;
 use crate::pose::positions::{PoseLayout, Positions};
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::pose_file::GivenPose;
 use crate::question::travel::vary::Vary;
@@ -215,14 +214,14 @@ pub(crate) fn reflected(
     let drivers = driving_joints_with(posed.pose, &preferred);
     let (mut records, mut findings) = (Vec::new(), Vec::new());
     for name in joints.iter().filter(|name| range_of(mechanism, name).is_none()) {
-        let joint = find_joint(mechanism, Field::Reflected, name)?;
+        let joint = find_joint(mechanism, "impact.reflected", name)?;
         let columns = posed.pose.motion_subspace(joint);
         if columns.is_empty() {
-            return Err(StudyError::input(Field::Reflected, Fault::NoMotion { joint: name.clone() }));
+            return Err(StudyError::input("impact.reflected", Fault::NoMotion { joint: name.clone() }));
         }
         for (component, column) in columns.iter().enumerate() {
             let found = reflected_inertia_with(posed.pose, joint, component, &preferred)
-                .map_err(|error| StudyError::input(Field::Reflected, error))?;
+                .map_err(|error| StudyError::input("impact.reflected", error))?;
             let (free_status, free) = Status::classify(found.free);
             let held = found.held.map(Status::classify);
             records.push(ReflectedRecord {
@@ -248,7 +247,7 @@ pub(crate) fn reflected(
                 "joint \"{name}\": no driving joint at this pose (driving joints: {}), so there is no inertia with the other drivers held; \
                  give its position{}",
                 names.join(", "),
-                Field::Set.hint(posed.question.names)
+                posed.question.names.hint("pose.set")
             );
             findings.push(Finding::new(FindingKind::NoDriver, FindingSubject::Joint(joint), message));
         }
@@ -282,11 +281,11 @@ pub(crate) fn reflected_over(
     joints: &[String],
 ) -> Result<(Vec<ReflectedRangeRecord>, Vec<Finding>), StudyError> {
     let mechanism = &posed.model.mechanism;
-    let refuse = |fault| StudyError::input(Field::Reflected, fault);
+    let refuse = |fault| StudyError::input("impact.reflected", fault);
     let (mut records, mut findings) = (Vec::new(), Vec::new());
     for text in joints {
         let Some((name, _)) = range_of(mechanism, text) else { continue };
-        let joint = find_joint(mechanism, Field::Reflected, name)?;
+        let joint = find_joint(mechanism, "impact.reflected", name)?;
         let kind = mechanism.joint(joint).kind();
         let range = Vary::parse(text);
         let range: Vary = range.map_err(|error| refuse(error.to_string().into()))?;
@@ -308,7 +307,7 @@ pub(crate) fn reflected_over(
             let (system, configuration) = (posed.system, posed.configuration);
             reflected_inertia_over_with(system, configuration, joint, &positions, &posed.set_joints())
         }
-        .map_err(|error| StudyError::input(Field::Reflected, error))?;
+        .map_err(|error| StudyError::input("impact.reflected", error))?;
         let unit = if dimension == Dimension::Angle { "kg·m²" } else { "kg" };
         records.push(range_record(mechanism, name, unit, positions, found));
     }

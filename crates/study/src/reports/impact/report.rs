@@ -11,7 +11,6 @@ use crate::evaluation::status::Status;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::impact::ImpactQuestion;
@@ -206,7 +205,7 @@ pub fn impact(
     let response = &result.response;
     let (impact, of_curve) = &with_curve_of_sheet(&evaluated, impact)?;
     let units = DampingQuestion { speed: impact.speed, ..impact.contact_law(1.0).unwrap_or_default() };
-    units.check_dimensions(Field::ImpactStiffness, Field::ClosingSpeed, response.contact.is_moment)?;
+    units.check_dimensions("impact.stiffness", "impact.speed", response.contact.is_moment)?;
     let has_point = contact_without_point(&evaluated).is_none();
     refuse_results_at_point(&evaluated, impact)?;
     if response.singular_pose {
@@ -282,7 +281,7 @@ pub fn impact(
     let sticking = match has_point {
         true => {
             let alone = held_point_mass(pose, &response.contact);
-            let alone = alone.map_err(|error| StudyError::input(Field::Link, error))?;
+            let alone = alone.map_err(|error| StudyError::input("contact.link", error))?;
             Some(Status::classify(alone.against_mass(prepared.other_mass())))
         }
         false => None,
@@ -333,7 +332,7 @@ fn with_curve_of_sheet(
     if !law.has_stiffness() && (impact.in_time || impact.law.is_some()) {
         let why = "it is missing; an impact in time and a contact law require the stiffness of the contact, or a force curve (of a stop in a \
                    suspension sheet, or given)";
-        return Err(StudyError::input(Field::ImpactStiffness, why));
+        return Err(StudyError::input("impact.stiffness", why));
     }
     Ok((ImpactQuestion { stiffness_curve: law.stiffness_curve, ..impact.clone() }, finding))
 }
@@ -345,9 +344,9 @@ fn with_restitution(
     speed: f64,
 ) -> Result<ImpactQuestion, StudyError> {
     let (field, law) = match (impact.damping, impact.hunt_crossley, impact.loss_factor) {
-        (Some(_), _, _) => (Field::ImpactDamping, Law::KelvinVoigt),
-        (_, Some(_), _) => (Field::ImpactDissipation, Law::HuntCrossley),
-        (_, _, Some(_)) => (Field::ImpactLossFactor, Law::LossFactor),
+        (Some(_), _, _) => ("impact.damping", Law::KelvinVoigt),
+        (_, Some(_), _) => ("impact.hunt_crossley", Law::HuntCrossley),
+        (_, _, Some(_)) => ("impact.loss_factor", Law::LossFactor),
         _ => return Ok(impact.clone()),
     };
     let Some(question) = impact.contact_law(speed) else {
@@ -382,9 +381,9 @@ fn with_restitution(
 /// Refuses results that require a contact point, for a contact without one.
 fn refuse_results_at_point(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) -> Result<(), StudyError> {
     let results = [
-        (impact.friction.is_some(), Field::Friction, "friction"),
-        (!impact.percussion.is_empty(), Field::Percussion, "centre of percussion"),
-        (impact.sticking, Field::Sticking, "sticking contact point"),
+        (impact.friction.is_some(), "impact.friction", "friction"),
+        (!impact.percussion.is_empty(), "impact.percussion", "centre of percussion"),
+        (impact.sticking, "impact.sticking", "sticking contact point"),
     ];
     match results.into_iter().find(|(is_requested, ..)| *is_requested) {
         Some((_, field, result)) => require_contact_point(evaluated, field, result),
@@ -424,15 +423,15 @@ fn motion_before(
     let is_fixed = prepared.question.conditions.base() == Base::Fixed;
     if !impact.base_twist.is_empty() && is_fixed {
         let why = "the base is fixed; a velocity requires a floating base";
-        return Err(StudyError::input(Field::BaseTwist, why));
+        return Err(StudyError::input("impact.base_twist", why));
     }
     if impact.rates.is_empty() && impact.base_twist.is_empty() {
         let why = "no motion before the impact is given; expected the closing speed, or the rates of the driving joints";
-        let speed = impact.speed().ok_or_else(|| StudyError::input(Field::ClosingSpeed, why))?;
+        let speed = impact.speed().ok_or_else(|| StudyError::input("impact.speed", why))?;
         return Ok((speed, None));
     }
     let driver = |given| {
-        let (joint, rates) = rates_of(&prepared.model.mechanism, Field::Rates, given)?;
+        let (joint, rates) = rates_of(&prepared.model.mechanism, "impact.rates", given)?;
         Ok(DriverRate { joint, rates })
     };
     let drivers: Vec<DriverRate> = impact.rates.iter().map(driver).collect::<Result<_, StudyError>>()?;
@@ -441,7 +440,7 @@ fn motion_before(
         pose.base().inverse_vector(&Vector3::new(wx, wy, wz)),
         pose.base().inverse_vector(&Vector3::new(vx, vy, vz)),
     );
-    let given = if impact.rates.is_empty() { Field::BaseTwist } else { Field::Rates };
+    let given = if impact.rates.is_empty() { "impact.base_twist" } else { "impact.rates" };
     let rates = rates_from_drivers(pose, &drivers, base).map_err(|error| StudyError::input(given, error))?;
     let contact = &result.response.contact;
     let unit = if contact.is_moment { "rad/s" } else { "m/s" };
@@ -453,7 +452,7 @@ fn motion_before(
             let why = format!(
                 "{speed} {unit} is given, but the given rates close the gap at {closing} {unit}; leave one of the two out"
             );
-            return Err(StudyError::input(Field::ClosingSpeed, why));
+            return Err(StudyError::input("impact.speed", why));
         }
         _ => closing,
     };
@@ -484,7 +483,7 @@ fn base_at_rest_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuestion) 
             "the base \"{}\" floats and is at rest before the impact, because rates of joints are given without its \
              velocity{}",
             mechanism.link(mechanism.root()).name(),
-            Field::BaseTwist.hint(question.names)
+            question.names.hint("impact.base_twist")
         );
         Finding::about_result(FindingKind::BaseAtRest, message)
     })
@@ -503,7 +502,7 @@ fn without_friction_finding(evaluated: &EvaluatedQuestion, impact: &ImpactQuesti
         let message = format!(
             "computed without friction: {}{}",
             parts.join(", "),
-            Field::Friction.hint(evaluated.prepared.question.names)
+            evaluated.prepared.question.names.hint("impact.friction")
         );
         Finding::about_result(FindingKind::WithoutFriction, message)
     })

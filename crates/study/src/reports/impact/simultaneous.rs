@@ -4,7 +4,6 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::spelled_contact::FurtherContact;
 use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
@@ -153,7 +152,7 @@ pub(crate) fn simultaneous(
             touching.refuse_sticking()?;
         }
         let place = pose.locate(&touching.contact);
-        located.push(place.map_err(|error| StudyError::input(Field::Also, error))?);
+        located.push(place.map_err(|error| StudyError::input("impact.also", error))?);
         masses.push(pose.respond(&touching.contact)?.effective_mass.kilograms());
         names.push(touching.name);
         gaps.push(touching.gap);
@@ -268,17 +267,17 @@ fn has_other_laws(error: &ImpactError, restitution: &[f64]) -> bool {
 fn several_error(error: ImpactError, question: &ImpactQuestion) -> StudyError {
     match error {
         ImpactError::TooManyContacts { .. } | ImpactError::Mobility(_) if question.also.is_empty() => {
-            StudyError::input(Field::Sticking, error)
+            StudyError::input("impact.sticking", error)
         }
         ImpactError::TooManyContacts { .. } | ImpactError::Mobility(_) => {
-            StudyError::input(Field::Also, error)
+            StudyError::input("impact.also", error)
         }
-        ImpactError::NoConsistentSubset => StudyError::input(Field::Sticking, error),
+        ImpactError::NoConsistentSubset => StudyError::input("impact.sticking", error),
         ImpactError::OutOfRange { got, .. } if question.contact_exponent == Some(got.into()) => {
-            StudyError::input(Field::ContactExponent, error)
+            StudyError::input("impact.contact_exponent", error)
         }
         ImpactError::ContactValues { .. } | ImpactError::OutOfRange { .. } => {
-            StudyError::input(Field::StiffnessRatio, error)
+            StudyError::input("impact.stiffness_ratio", error)
         }
         error => impact_error(error, question),
     }
@@ -301,7 +300,7 @@ pub(crate) fn unit_finding(
     if question.stiffness_ratio.is_empty() {
         reasons.push(format!(
             "the energetic law uses equal stiffnesses by default, 1 N·m/rad for each 1 N/m; expected their ratios{}",
-            Field::StiffnessRatio.hint(names)
+            names.hint("impact.stiffness_ratio")
         ));
     }
     // Poisson's law multiplies the impulses p of compression by the coefficients of restitution. Redundant contacts leave the distribution
@@ -318,7 +317,7 @@ pub(crate) fn unit_finding(
     if is_open(true) && is_open(false) && differ {
         reasons.push(format!(
             "Poisson's law distributes the impulses of redundant contacts by the least sum of squares of N·s and N·m·s; leave out a redundant contact{}",
-            Field::Also.hint(names)
+            names.hint("impact.also")
         ));
     }
     (!reasons.is_empty()).then(|| {

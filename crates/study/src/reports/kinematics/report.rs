@@ -4,7 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
-use crate::question::field::Names;
+use crate::question::names::Names;
 use crate::question::tables::kinematics::{KinematicVariable, KinematicsQuestion};
 use crate::question::travel::moved::WheelMotion;
 use crate::reports::kinematics::column_names::{column_name, is_of_every_contact, unknown_column};

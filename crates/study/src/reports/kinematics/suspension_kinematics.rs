@@ -7,7 +7,6 @@ use crate::evaluation::prepared_question::{compile, configuration};
 use crate::model::loading::Model;
 use crate::pose::pose_solver;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::mass_question::MassQuestion;
 use crate::question::tables::kinematics::KinematicVariable;
 use crate::question::travel::given_travel::GivenTravel;
@@ -72,7 +71,7 @@ impl SuspensionKinematics {
                     let position = GivenPosition::from_numbers(&[*value]);
                     let position = position.map_err(|source| {
                         let joint = RACK.to_owned();
-                        StudyError::input(Field::Set, Fault::Position { joint, source })
+                        StudyError::input("pose.set", Fault::Position { joint, source })
                     })?;
                     question.pose.set.push((RACK.to_owned(), position));
                 }

@@ -6,7 +6,6 @@ pub(crate) mod restitution;
 use super::headings::DAMPER;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::field::Field;
 use crate::question::spelled_contact::JointStop;
 use crate::values::force_curve::GivenCurve;
 use crate::values::quantities::{Plain, PositiveMass, Ratio, Speed, Stiffness, Time};
@@ -391,14 +390,14 @@ impl DampingQuestion {
     /// # Errors
     /// [`StudyError`] with the field and the expected unit.
     pub fn check_units(&self, turns: bool) -> Result<(), StudyError> {
-        self.check_dimensions(Field::Stiffness, Field::Speed, turns)
+        self.check_dimensions("damping.stiffness", "damping.speed", turns)
     }
 
     /// As [`check_units`](Self::check_units), with the fields of the stiffness and the speed.
     pub(crate) fn check_dimensions(
         &self,
-        stiffness: Field,
-        speed: Field,
+        stiffness: &'static str,
+        speed: &'static str,
         turns: bool,
     ) -> Result<(), StudyError> {
         let exponent = self.exponent();

@@ -8,7 +8,6 @@ use crate::damper::sheet_forces::{
 use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::field::Field;
 use crate::question::tables::impact::{ImpactQuestion, SheetSprings};
 use crate::values::drives::GivenSpring;
 use crate::values::point_force::{Ends, GivenDrive};
@@ -368,7 +367,7 @@ fn point_springs(
                     let why = format!(
                         "{name}: the sheet has no preload, which determines the whole force of the spring"
                     );
-                    StudyError::input(Field::SheetSprings, why)
+                    StudyError::input("impact.springs", why)
                 };
                 let force = element.whole_force(evaluated).ok_or_else(missing)?;
                 PointSpring::new(*ends, spring.rate, Some(element.length(pose) + force / spring.rate))
@@ -377,11 +376,11 @@ fn point_springs(
         acting.push(((*name).to_owned(), line));
     }
     for given in &impact.spring {
-        let ends = find_ends(pose, &given.ends, Field::PointSpring)?;
+        let ends = find_ends(pose, &given.ends, "impact.spring")?;
         acting.push((name_of(&given.ends), PointSpring::new(ends, given.rate, given.free_length)));
     }
     for given in &impact.damper {
-        let ends = find_ends(pose, &given.ends, Field::PointDamper)?;
+        let ends = find_ends(pose, &given.ends, "impact.damper")?;
         let damper = Some(Arc::clone(&given.curve));
         acting.push((name_of(&given.ends), PointSpring { damper, ..PointSpring::new(ends, 0.0, None) }));
     }
@@ -389,7 +388,11 @@ fn point_springs(
 }
 
 /// Ends of a line in the mechanism of a pose.
-fn find_ends(pose: &Pose, ends: &Ends, field: Field) -> Result<[(LinkId, Vector3<f64>); 2], StudyError> {
+fn find_ends(
+    pose: &Pose,
+    ends: &Ends,
+    field: &'static str,
+) -> Result<[(LinkId, Vector3<f64>); 2], StudyError> {
     let find = |(link, point): &(String, [f64; 3])| match pose.mechanism().find_link(link) {
         Ok(link) => Ok((link, Vector3::from(*point))),
         Err(error) => Err(StudyError::input(field, error)),
@@ -423,20 +426,20 @@ fn drives(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<NamedDrive>, Study
             name: name_of(ends),
             value: *force,
             unit: "N",
-            acts: Drive::Points(find_ends(pose, ends, Field::Drive)?),
+            acts: Drive::Points(find_ends(pose, ends, "impact.drive")?),
         }),
         GivenDrive::Joint(name, value) => {
-            let joint = find_joint(pose.mechanism(), Field::Drive, name)?;
+            let joint = find_joint(pose.mechanism(), "impact.drive", name)?;
             let kind = pose.mechanism().joint(joint).kind();
             if kind.dofs() != 1 {
                 let why =
                     format!("joint \"{name}\" has {} velocities; expected a joint with one", kind.dofs());
-                return Err(StudyError::input(Field::Drive, why));
+                return Err(StudyError::input("impact.drive", why));
             }
             let turns = rate_dimension(kind, 0) == Dimension::AngularSpeed;
             let (dimension, unit) = if turns { (Dimension::Moment, "N·m") } else { (Dimension::Force, "N") };
             let wrong =
-                |source| StudyError::input(Field::Drive, Fault::Position { joint: name.clone(), source });
+                |source| StudyError::input("impact.drive", Fault::Position { joint: name.clone(), source });
             let value = value.in_dimension(dimension, &value.to_string()).map_err(wrong)?;
             Ok(NamedDrive { name: name.clone(), value, unit, acts: Drive::Joint(joint) })
         }
@@ -449,10 +452,10 @@ fn springs(pose: &Pose, impact: &ImpactQuestion) -> Result<Vec<JointSpring>, Stu
     let spring = |(number, (name, given)): (usize, &(String, GivenSpring))| {
         if impact.joint_spring[..number].iter().any(|(earlier, _)| earlier == name) {
             let why = format!("joint \"{name}\" is given twice; give it once");
-            return Err(StudyError::input(Field::JointSpring, why));
+            return Err(StudyError::input("impact.joint_spring", why));
         }
-        let joint = find_joint(pose.mechanism(), Field::JointSpring, name)?;
-        let refuse = |fault: Fault| StudyError::input(Field::JointSpring, fault);
+        let joint = find_joint(pose.mechanism(), "impact.joint_spring", name)?;
+        let refuse = |fault: Fault| StudyError::input("impact.joint_spring", fault);
         let values = given.values_for_joint(pose.mechanism().joint(joint).kind());
         let values = values.map_err(|source| refuse(Fault::Position { joint: name.clone(), source }))?;
         let (stiffness, damping, free_position) = match values[..] {

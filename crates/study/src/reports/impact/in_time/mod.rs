@@ -12,7 +12,6 @@ use crate::evaluation::passed_stops::PassedStops;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
 use crate::question::errors::question_error::StudyError;
-use crate::question::field::Field;
 use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::in_time::compliant::{CompliantImpactRecord, compliant};
@@ -303,7 +302,7 @@ fn reaching(
             "no damping of the contact reaches {wanted}: without damping the impact in time has {elastic:.4}, because of the other forces and \
              the change of the effective mass; expected a smaller restitution"
         );
-        return Err(StudyError::input(Field::Restitution, why));
+        return Err(StudyError::input("impact.restitution", why));
     }
     // The excess over the wanted restitution is above 0 at `low` and below 0 at `high`.
     let (mut low, mut high) = ((0.0, elastic - wanted), (first.max(f64::MIN_POSITIVE), f64::NAN));
@@ -316,7 +315,7 @@ fn reaching(
     }
     if high.1 > 0.0 {
         let why = format!("no damping reaches {wanted}; the impact in time has still {:.4}", high.1 + wanted);
-        return Err(StudyError::input(Field::Restitution, why));
+        return Err(StudyError::input("impact.restitution", why));
     }
     // Illinois method.
     let mut side = 0;
