@@ -14,7 +14,7 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
-use percuss_study::{Model, Sweep, SweepEnd, SweepHeading, SweepRow};
+use percuss_study::{Model, Sweep, SweepEnd, SweepHeading};
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -30,24 +30,31 @@ pub fn write(
     let out = Output::open(Some(path))?;
     let heading = sweep.heading().clone();
     let table = SweepTable::new(&heading, &model.mechanism, TableStyle::default());
-    let mut rows = RowBuffer::new(&table, heading.varied.len());
-    let group =
-        (CELLS_OF_A_GROUP / table.names().len()).clamp(*ROWS_OF_A_GROUP.start(), *ROWS_OF_A_GROUP.end());
-    let mut writer = match new_writer(&table, &heading, out) {
+    let status = 1 + heading.varied.len();
+    let column = |at| match at {
+        0 => Column::new(Values::Whole(Vec::new()), true),
+        _ if at == status => Column::new(Values::Texts(Vec::new()), true),
+        _ if at == status + SINGULAR_POSE_COLUMN => Column::new(Values::Logical(Vec::new()), false),
+        _ => Column::new(Values::Numbers(Vec::new()), at < status),
+    };
+    let mut columns: Vec<Column> = (0..table.names().len()).map(column).collect();
+    let group = (CELLS_OF_A_GROUP / columns.len()).clamp(*ROWS_OF_A_GROUP.start(), *ROWS_OF_A_GROUP.end());
+    let mut writer = match new_writer(&table, &columns, &heading, out) {
         Ok(writer) => writer,
         Err(error) => return Err(io::Error::other(error).into()),
     };
     let mut written = Ok(());
     let end = sweep.run(&mut |row| {
         bar.inc(1);
-        rows.push(&table, &row);
-        if rows.numbers.len() == group {
-            written = rows.write(&mut writer);
+        let cells = table.cells(&row);
+        columns.iter_mut().zip(&cells).for_each(|(column, cell)| column.push(cell));
+        if columns[0].levels.len() == group {
+            written = write_group(&mut columns, &mut writer);
         }
         if written.is_ok() { ControlFlow::Continue(()) } else { ControlFlow::Break(()) }
     })?;
-    if written.is_ok() && !rows.numbers.is_empty() {
-        written = rows.write(&mut writer);
+    if written.is_ok() && !columns[0].levels.is_empty() {
+        written = write_group(&mut columns, &mut writer);
     }
     written.map_err(|error| writer.inner().failure(io_cause(error)))?;
     // The footer with the schema is written last.
@@ -64,42 +71,19 @@ pub fn write_table(path: &str, columns: &[String], rows: &[Vec<Cell>]) -> std::r
 }
 
 /// Writes the columns of a table.
-fn table_bytes(columns: &[String], rows: &[Vec<Cell>], out: Output) -> Result<Output> {
+fn table_bytes(names: &[String], rows: &[Vec<Cell>], out: Output) -> Result<Output> {
     let has_text = |at: usize| rows.iter().any(|row| matches!(row[at], Cell::Text(_)));
-    let field = |(at, name): (usize, &String)| {
-        let physical = if has_text(at) { Physical::BYTE_ARRAY } else { Physical::DOUBLE };
-        let text = has_text(at).then_some(LogicalType::String);
-        let column = Type::primitive_type_builder(name, physical).with_repetition(Repetition::OPTIONAL);
-        column.with_logical_type(text).build().map(Arc::new)
-    };
-    let fields = columns.iter().enumerate().map(field).collect::<Result<Vec<_>>>()?;
-    let schema = Type::group_type_builder("percuss").with_fields(fields).build()?;
+    let values = |at| if has_text(at) { Values::Texts(Vec::new()) } else { Values::Numbers(Vec::new()) };
+    let mut columns: Vec<Column> = (0..names.len()).map(|at| Column::new(values(at), false)).collect();
+    for row in rows {
+        columns.iter_mut().zip(row).for_each(|(column, cell)| column.push(cell));
+    }
     let properties = WriterProperties::builder()
         .set_created_by(CREATED_BY.to_owned())
         .set_compression(Compression::SNAPPY)
         .build();
-    let mut writer = SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))?;
-    let mut group = writer.next_row_group()?;
-    for at in 0..columns.len() {
-        if has_text(at) {
-            let mut texts = Nullable::new();
-            rows.iter().for_each(|row| match &row[at] {
-                Cell::Text(text) => texts.push(Some(ByteArray::from(text.as_ref()))),
-                _ => texts.push(None),
-            });
-            let (values, levels) = (&texts.values, Some(&texts.levels[..]));
-            write_column(&mut group, |c| c.typed::<ByteArrayType>().write_batch(values, levels, None))?;
-        } else {
-            let mut numbers = Nullable::new();
-            rows.iter().for_each(|row| match &row[at] {
-                Cell::Number(number) => numbers.push(Some(*number)),
-                _ => numbers.push(None),
-            });
-            let (values, levels) = (&numbers.values, Some(&numbers.levels[..]));
-            write_column(&mut group, |c| c.typed::<DoubleType>().write_batch(values, levels, None))?;
-        }
-    }
-    group.close()?;
+    let mut writer = SerializedFileWriter::new(out, schema(names, &columns)?, Arc::new(properties))?;
+    write_group(&mut columns, &mut writer)?;
     writer.into_inner()
 }
 
@@ -114,30 +98,31 @@ fn io_cause(error: ParquetError) -> io::Error {
     }
 }
 
+/// Schema with the names of columns.
+fn schema(names: &[String], columns: &[Column]) -> Result<Arc<Type>> {
+    let field = |(name, column): (&String, &Column)| {
+        let physical = match column.values {
+            Values::Whole(_) => Physical::INT64,
+            Values::Numbers(_) => Physical::DOUBLE,
+            Values::Texts(_) => Physical::BYTE_ARRAY,
+            Values::Logical(_) => Physical::BOOLEAN,
+        };
+        let repetition = if column.is_required { Repetition::REQUIRED } else { Repetition::OPTIONAL };
+        let text = (physical == Physical::BYTE_ARRAY).then_some(LogicalType::String);
+        let field = Type::primitive_type_builder(name, physical);
+        field.with_repetition(repetition).with_logical_type(text).build().map(Arc::new)
+    };
+    let fields = names.iter().zip(columns).map(field).collect::<Result<Vec<_>>>()?;
+    Type::group_type_builder("percuss").with_fields(fields).build().map(Arc::new)
+}
+
 /// Writer with the schema of the table; the heading is in the file metadata.
 fn new_writer(
     table: &SweepTable,
+    columns: &[Column],
     heading: &SweepHeading,
     out: Output,
 ) -> Result<SerializedFileWriter<Output>> {
-    let status = 1 + heading.varied.len();
-    let column = |(at, name): (usize, &String)| {
-        let (physical, needed) = match at {
-            0 => (Physical::INT64, true),
-            _ if at < status => (Physical::DOUBLE, true),
-            _ if at == status => (Physical::BYTE_ARRAY, true),
-            _ if name == FIXED_COLUMNS[SINGULAR_POSE_COLUMN] && at == status + SINGULAR_POSE_COLUMN => {
-                (Physical::BOOLEAN, false)
-            }
-            _ => (Physical::DOUBLE, false),
-        };
-        let repetition = if needed { Repetition::REQUIRED } else { Repetition::OPTIONAL };
-        let text = (physical == Physical::BYTE_ARRAY).then_some(LogicalType::String);
-        let column = Type::primitive_type_builder(name, physical);
-        column.with_repetition(repetition).with_logical_type(text).build().map(Arc::new)
-    };
-    let columns = table.names().iter().enumerate().map(column).collect::<Result<Vec<_>>>()?;
-    let schema = Type::group_type_builder("percuss").with_fields(columns).build()?;
     let heading = serde_json::to_string(heading).map_err(|error| ParquetError::External(error.into()))?;
     let properties = WriterProperties::builder()
         .set_created_by(CREATED_BY.to_owned())
@@ -148,117 +133,71 @@ fn new_writer(
         .set_column_dictionary_enabled(FIXED_COLUMNS[0].into(), true)
         .set_statistics_enabled(EnabledStatistics::Chunk)
         .build();
-    SerializedFileWriter::new(out, Arc::new(schema), Arc::new(properties))
+    SerializedFileWriter::new(out, schema(table.names(), columns)?, Arc::new(properties))
 }
 
 /// Index of `singular_pose` among the fixed columns.
 const SINGULAR_POSE_COLUMN: usize = 3;
 
-/// Column with nulls: the values that are not null, and the definition level of each row.
-struct Nullable<T> {
-    values: Vec<T>,
+/// Values of a column without nulls.
+enum Values {
+    Whole(Vec<i64>),
+    Numbers(Vec<f64>),
+    Texts(Vec<ByteArray>),
+    Logical(Vec<bool>),
+}
+
+/// Buffered column: its values, and the definition level of each row, 0 for a null.
+struct Column {
+    values: Values,
     levels: Vec<i16>,
+    /// True for a column without nulls.
+    is_required: bool,
 }
 
-impl<T> Nullable<T> {
-    fn new() -> Self {
-        Self { values: Vec::new(), levels: Vec::new() }
+impl Column {
+    fn new(values: Values, is_required: bool) -> Self {
+        Self { values, levels: Vec::new(), is_required }
     }
 
-    /// Appends a value or a null.
-    fn push(&mut self, value: Option<T>) {
-        self.levels.push(value.is_some().into());
-        self.values.extend(value);
-    }
-
-    /// Removes all values.
-    fn clear(&mut self) {
-        self.values.clear();
-        self.levels.clear();
-    }
-}
-
-/// Buffered rows, by columns.
-struct RowBuffer {
-    numbers: Vec<i64>,
-    varied: Vec<Vec<f64>>,
-    status: Vec<&'static str>,
-    singular: Nullable<bool>,
-    /// Other columns in order: five of the result, the gap if the contact has one, the gradient if requested, then the joints.
-    others: Vec<Nullable<f64>>,
-}
-
-impl RowBuffer {
-    fn new(table: &SweepTable, varied: usize) -> Self {
-        // The row number, the status and the singular pose have separate columns.
-        let others = table.names().len() - varied - 3;
-        Self {
-            numbers: Vec::new(),
-            varied: vec![Vec::new(); varied],
-            status: Vec::new(),
-            singular: Nullable::new(),
-            others: (0..others).map(|_| Nullable::new()).collect(),
+    /// Appends a cell; a cell of another type is a null.
+    fn push(&mut self, cell: &Cell) {
+        match (&mut self.values, cell) {
+            (Values::Whole(values), Cell::Number(x)) => values.push(*x as i64),
+            (Values::Numbers(values), Cell::Number(x)) => values.push(*x),
+            (Values::Texts(values), Cell::Text(text)) => values.push(ByteArray::from(text.as_ref())),
+            (Values::Logical(values), Cell::Logical(value)) => values.push(*value),
+            _ => return self.levels.push(0),
         }
+        self.levels.push(1);
     }
 
-    /// Buffers a row.
-    fn push(&mut self, table: &SweepTable, row: &SweepRow) {
-        self.numbers.push(row.row.try_into().unwrap_or(i64::MAX));
-        for (column, value) in self.varied.iter_mut().zip(row.varied.values()) {
-            column.push(*value);
-        }
-        self.status.push(row.status);
-        self.singular.push(row.singular_pose);
-        let answer = [
-            row.effective_mass,
-            row.closure_residual,
-            row.motion_ratio,
-            row.estimate,
-            row.estimate_error_percent,
-        ];
-        let gradient = row.gradient.iter().flat_map(|gradient| gradient.numbers());
-        let numbers = answer.into_iter().chain(row.gap).chain(gradient).chain(table.other_numbers(row));
-        for (column, value) in self.others.iter_mut().zip(numbers) {
-            column.push(value);
-        }
-    }
-
-    /// Writes the buffered rows as a row group and clears the buffer.
-    fn write(&mut self, writer: &mut SerializedFileWriter<Output>) -> Result<()> {
-        let mut group = writer.next_row_group()?;
-        write_column(&mut group, |c| c.typed::<Int64Type>().write_batch(&self.numbers, None, None))?;
-        for values in &self.varied {
-            write_column(&mut group, |c| c.typed::<DoubleType>().write_batch(values, None, None))?;
-        }
-        let status: Vec<ByteArray> = self.status.iter().map(|status| ByteArray::from(*status)).collect();
-        write_column(&mut group, |c| c.typed::<ByteArrayType>().write_batch(&status, None, None))?;
-        let (before, after) = self.others.split_at(SINGULAR_POSE_COLUMN - 1);
-        let double = |group: &mut _, numbers: &Nullable<f64>| {
-            let (values, levels) = (&numbers.values, Some(&numbers.levels[..]));
-            write_column(group, |c| c.typed::<DoubleType>().write_batch(values, levels, None))
+    /// Writes the values as the next column of a row group, and removes them.
+    fn write(&mut self, group: &mut SerializedRowGroupWriter<'_, Output>) -> Result<()> {
+        let Some(mut column) = group.next_column()? else {
+            return Err(ParquetError::General("a row has more columns than the table".into()));
         };
-        before.iter().try_for_each(|numbers| double(&mut group, numbers))?;
-        let (values, levels) = (&self.singular.values, Some(&self.singular.levels[..]));
-        write_column(&mut group, |c| c.typed::<BoolType>().write_batch(values, levels, None))?;
-        after.iter().try_for_each(|numbers| double(&mut group, numbers))?;
-        group.close()?;
-        self.numbers.clear();
-        self.varied.iter_mut().for_each(Vec::clear);
-        self.status.clear();
-        self.singular.clear();
-        self.others.iter_mut().for_each(Nullable::clear);
-        Ok(())
+        let levels = Some(&self.levels[..]).filter(|_| !self.is_required);
+        macro_rules! write_values {
+            ($values:ident, $type:ty) => {{
+                column.typed::<$type>().write_batch($values, levels, None)?;
+                $values.clear();
+            }};
+        }
+        match &mut self.values {
+            Values::Whole(values) => write_values!(values, Int64Type),
+            Values::Numbers(values) => write_values!(values, DoubleType),
+            Values::Texts(values) => write_values!(values, ByteArrayType),
+            Values::Logical(values) => write_values!(values, BoolType),
+        }
+        self.levels.clear();
+        column.close()
     }
 }
 
-/// Writes the next column of a row group.
-fn write_column(
-    group: &mut SerializedRowGroupWriter<'_, Output>,
-    write: impl FnOnce(&mut parquet::file::writer::SerializedColumnWriter<'_>) -> Result<usize>,
-) -> Result<()> {
-    let Some(mut column) = group.next_column()? else {
-        return Err(ParquetError::General("a row has more columns than the table".into()));
-    };
-    write(&mut column)?;
-    column.close()
+/// Writes the buffered columns as a row group, and removes their values.
+fn write_group(columns: &mut [Column], writer: &mut SerializedFileWriter<Output>) -> Result<()> {
+    let mut group = writer.next_row_group()?;
+    columns.iter_mut().try_for_each(|column| column.write(&mut group))?;
+    group.close().map(|_| ())
 }
