@@ -92,7 +92,13 @@ pub struct IdentifyArgs {
     #[command(flatten)]
     pub identify: IdentifyQuestion,
     /// Expected effective mass (kg); used if the data do not determine it.
-    #[arg(long, value_name = "KG", allow_hyphen_values = true, conflicts_with = "mass_from", help_heading = FROM)]
+    #[arg(
+        long,
+        value_name = "KG",
+        allow_hyphen_values = true,
+        conflicts_with = "mass_from",
+        help_heading = FROM
+    )]
     pub mass: Option<Mass>,
     /// Expected effective mass at a contact of this model.
     ///

@@ -67,7 +67,13 @@ pub struct ImportArgs {
     /// Vehicle axes of the file: iso, adams, sae, rfactor, or such as "-z x y".
     ///
     /// Three axes of the file with their signs: those that point forward, left and up. Not for a sheet, which contains its axes. Default of a JSON: ISO 8855.
-    #[arg(long, value_name = "AXES", value_parser = vehicle_axes, allow_hyphen_values = true, help_heading = FILE)]
+    #[arg(
+        long,
+        value_name = "AXES",
+        value_parser = vehicle_axes,
+        allow_hyphen_values = true,
+        help_heading = FILE
+    )]
     pub axes: Option<VehicleAxes>,
     /// Template of a table.
     ///

@@ -85,7 +85,7 @@ impl From<BaseName> for Base {
 
 /// Contact of a question.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = CONTACT))]
 #[serde(deny_unknown_fields, default)]
 pub struct ContactTable {
     /// Name in tables and figures, in a study with several contacts; default: `at`, or the link.
@@ -102,21 +102,17 @@ pub struct ContactTable {
         arg(
             long,
             value_name = "NAME",
-            conflicts_with_all = ["link", "point", "along_line", "about_axis", "frame", "against"],
-            help_heading = CONTACT
+            conflicts_with_all = ["link", "point", "along_line", "about_axis", "frame", "against"]
         )
     )]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<String>,
     /// Contact link.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK", help_heading = CONTACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK"))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub link: Option<String>,
     /// Contact point (m).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, help_heading = CONTACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point: Option<Point>,
     /// Contact normal, out of the contact link.
@@ -124,13 +120,7 @@ pub struct ContactTable {
     /// The normal points into the other body. Its length and its sign do not affect the effective mass.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "X,Y,Z",
-            allow_hyphen_values = true,
-            conflicts_with = "along_line",
-            help_heading = CONTACT
-        )
+        arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with = "along_line")
     )]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Vector>,
@@ -144,8 +134,7 @@ pub struct ContactTable {
             long,
             value_name = "X,Y,Z",
             allow_hyphen_values = true,
-            conflicts_with_all = ["point", "normal", "along_line", "against_mass", "estimate"],
-            help_heading = CONTACT
+            conflicts_with_all = ["point", "normal", "along_line", "against_mass", "estimate"]
         )
     )]
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -154,7 +143,7 @@ pub struct ContactTable {
     ///
     /// The normal points from the contact point towards this point of a link (m, in the frame of that link). Use it
     /// for the line of a spring, or for a stop near the design pose. For a stop over a travel, use a normal.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK:X,Y,Z", help_heading = CONTACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK:X,Y,Z"))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub along_line: Option<LinkPoint>,
     /// Allow the line to rotate: a spring, a damper or a rod.
@@ -162,42 +151,33 @@ pub struct ContactTable {
     /// Otherwise, a pose is refused if the line has rotated by more than 5° relative to the other body since
     /// the design pose (all joints at 0), because the line is then no longer the normal of a stop. A line shorter
     /// than a tenth of its length in the design pose is always refused.
-    #[cfg_attr(feature = "flags", arg(long, requires = "along_line", help_heading = CONTACT))]
+    #[cfg_attr(feature = "flags", arg(long, requires = "along_line"))]
     pub turning_normal: bool,
     /// The line is a cable: it resists lengthening, and may rotate.
     ///
     /// The gap closes while the cable gets longer; the impulse of an impact pulls. Without another link in contact, the other side is the
     /// link of the line.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, requires = "along_line", conflicts_with = "turning_normal", help_heading = CONTACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, requires = "along_line", conflicts_with = "turning_normal"))]
     pub cable: bool,
     /// Frame of the point and the normal or the axis; default: link.
     ///
     /// Applies to both. A point given in another frame is converted to the link frame once, at the set pose with
     /// all varied joints at 0, and then moves with the link. A normal stays constant in the given frame.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONTACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub frame: Option<FrameName>,
     /// Frame of the normal, if different from the frame of the point.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONTACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal_frame: Option<FrameName>,
     /// Other link in contact; default: the ground.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK", help_heading = CONTACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK"))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<String>,
     /// Mass (kg) of a free body as the other side of the contact.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "KG",
-            allow_hyphen_values = true,
-            conflicts_with = "against",
-            help_heading = CONTACT
-        )
+        arg(long, value_name = "KG", allow_hyphen_values = true, conflicts_with = "against")
     )]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against_mass: Option<PositiveMass>,
@@ -216,17 +196,14 @@ pub struct ContactTable {
     ///
     /// The ratio relates the speed of the point to the closing speed of the contact. If the model has a wheel and one
     /// degree of freedom, the ratios of the wheel centre and the contact patch are always shown.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", help_heading = ADDITIONAL)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK:X,Y,Z[:DX,DY,DZ]", help_heading = ADDITIONAL))]
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub ratio_at: Vec<RatioPoint>,
 }
 
 /// Pose of a question.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = POSE))]
 #[serde(deny_unknown_fields, default)]
 pub struct PoseTable {
     /// Position of a driving joint (m, rad; 30deg, 5mm).
@@ -234,7 +211,7 @@ pub struct PoseTable {
     /// Driving joints without a position are at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position, help_heading = POSE)
+        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position)
     )]
     #[serde(
         deserialize_with = "value::positions",
@@ -246,7 +223,7 @@ pub struct PoseTable {
     /// Initial guess of a joint that depends on other joints through loops; selects the assembly mode.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position, help_heading = POSE)
+        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position)
     )]
     #[serde(
         deserialize_with = "value::positions",
@@ -259,10 +236,7 @@ pub struct PoseTable {
     ///
     /// The point of a link (m, link frame) moves by DISTANCE along a direction (world axes) from its position in the
     /// set pose, as in a sweep over a travel. Give one travel for each driven point.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE", help_heading = POSE)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE"))]
     #[serde(
         deserialize_with = "value::words",
         serialize_with = "value::texts",
@@ -272,18 +246,18 @@ pub struct PoseTable {
     pub travel: Vec<GivenTravel>,
     /// Complete configuration: output of --format json, JSON with a position for each joint, or the name of a pose of the model
     /// (keyframe of MJCF, listed by `percuss check`). Set positions and guesses override it.
-    #[cfg_attr(feature = "flags", arg(long = "pose", id = "pose", value_name = "FILE.json|NAME", help_heading = POSE))]
+    #[cfg_attr(feature = "flags", arg(long = "pose", id = "pose", value_name = "FILE.json|NAME"))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub file: Option<String>,
 }
 
 /// Conditions of a question.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, Serialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = CONDITIONS))]
 #[serde(deny_unknown_fields, default)]
 pub struct ConditionsTable {
     /// Lock a joint at its position; all locks every joint.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT", help_heading = CONDITIONS))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT"))]
     #[serde(skip_serializing_if = "Vec::is_empty")]
     pub lock: Vec<String>,
     /// Rotor inertia reflected to a joint (kg·m² or kg): a value, or RATIO:ROTOR.
@@ -292,7 +266,7 @@ pub struct ConditionsTable {
     /// rotor about its own axis: ratio² · inertia is added. --gear is the same flag.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, alias = "gear", help_heading = CONDITIONS)
+        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, alias = "gear")
     )]
     #[serde(
         deserialize_with = "value::armatures",
@@ -306,10 +280,7 @@ pub struct ConditionsTable {
     /// N·m/rad and N·m·s/rad (N/m and N·s/m for a slide), at the output of the gear, or with units (N·m/deg); the rotor is the armature of the
     /// joint. `percuss mass`, `percuss response` and `percuss impact --in-time --compliance` compute with elastic gears; all other results have
     /// rigid gears. A spring parallel to a joint is `--joint-spring` of an impact in time.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT=K,D", value_parser = named::gear_stiffness, help_heading = CONDITIONS)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT=K,D", value_parser = named::gear_stiffness))]
     #[serde(
         deserialize_with = "drives::by_joint",
         serialize_with = "value::by_name_texts",
@@ -318,7 +289,7 @@ pub struct ConditionsTable {
     #[schemars(with = "BTreeMap<String, OneOrMany<NumberOrText>>")]
     pub gear_stiffness: Vec<(String, GivenSpring)>,
     /// Root link fixed or floating; default: fixed.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = CONDITIONS))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub base: Option<BaseName>,
 }

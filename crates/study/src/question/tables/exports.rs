@@ -40,7 +40,7 @@ impl From<LanguageName> for Language {
 
 /// Source code of the effective mass at the contact, and its files.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = FUNCTIONS))]
 #[serde(deny_unknown_fields, default)]
 pub struct CodeQuestion {
     /// Folder of the files; default: the current folder.
@@ -56,25 +56,25 @@ pub struct CodeQuestion {
     #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = OUTPUT))]
     pub name: Option<String>,
     /// Velocities of the joints at unit closing speed.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = FUNCTIONS))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub velocity: bool,
     /// Derivatives of the effective mass.
     ///
     /// Over the positions of the joints; with loops, along the motion of each driving joint.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = FUNCTIONS))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub gradient: bool,
     /// Matrix J M⁻¹ Jᵀ at the contact point.
     ///
     /// It gives 1/m for every normal, without a division by zero along immovable directions.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = FUNCTIONS))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub mobility: bool,
     /// Many configurations in one call.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = FUNCTIONS))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub batch: bool,
     /// Newton iteration that closes the loops.
     ///
     /// The inputs are the positions of the driving joints and previous values of the others.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = FUNCTIONS))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub close: bool,
 }
 
@@ -194,17 +194,17 @@ fn format_of(
 
 /// The model in another format.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = OUTPUT))]
 #[serde(deny_unknown_fields, default)]
 pub struct ConversionQuestion {
     /// File to write; - writes to stdout.
-    #[cfg_attr(feature = "flags", arg(long, short, value_name = "FILE", required = true, help_heading = OUTPUT))]
+    #[cfg_attr(feature = "flags", arg(long, short, value_name = "FILE", required = true))]
     pub output: Option<String>,
     /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, value_name = "FORMAT"))]
     pub to: Option<ModelFormat>,
     /// MJCF: write the nearest possible moments of inertia of a link with A + B < C, which MuJoCo refuses.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = OUTPUT))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub balance_inertia: bool,
 }
 
@@ -239,14 +239,14 @@ fn path_of(output: &Option<String>, folder: &Path) -> Option<String> {
 
 /// The impact at the contact or on the stop of a joint, with the damper of the question, as a model for MuJoCo that runs.
 #[derive(Clone, Debug, Default, PartialEq, Eq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = OUTPUT))]
 #[serde(deny_unknown_fields, default)]
 pub struct ExportQuestion {
     /// Model file to write. With an impact, a script FILE.py is written beside it.
-    #[cfg_attr(feature = "flags", arg(long, short, value_name = "FILE", required = true, help_heading = OUTPUT))]
+    #[cfg_attr(feature = "flags", arg(long, short, value_name = "FILE", required = true))]
     pub output: Option<String>,
     /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf. An impact requires MJCF and the ending .xml.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, value_name = "FORMAT", help_heading = OUTPUT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, value_name = "FORMAT"))]
     pub to: Option<ModelFormat>,
 }
 

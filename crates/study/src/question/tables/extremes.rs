@@ -186,17 +186,14 @@ impl FromStr for Keep {
 
 /// Smallest and largest effective mass of the contact, or another quantity, over positions.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = ANSWER))]
 #[serde(deny_unknown_fields, default)]
 pub struct ExtremesQuestion {
     /// Range of a driving joint, JOINT=FROM:TO; default: the limits of all.
     ///
     /// With a range only the given joints vary, and the other joints are held at their set positions (0 without one). Without ranges all
     /// driving joints with limits vary over their limits, except those with a set position.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, help_heading = ANSWER)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub range: Vec<GivenRange>,
@@ -205,7 +202,7 @@ pub struct ExtremesQuestion {
     /// The search covers the self-motion, for example of a redundant arm with a fixed tool point. LINK keeps position and orientation;
     /// with a direction (world axes) only the coordinate of the point (m, link's frame) along it is kept. The place is that at the set
     /// pose, and joints with a set position vary too. The point is free in the impact, unlike a held point.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK[:X,Y,Z]", help_heading = ANSWER))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK[:X,Y,Z]"))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub keep: Vec<Keep>,
@@ -219,15 +216,14 @@ pub struct ExtremesQuestion {
             long,
             value_name = "FILE|RANGE",
             allow_hyphen_values = true,
-            conflicts_with_all = ["range", "keep"],
-            help_heading = ANSWER
+            conflicts_with_all = ["range", "keep"]
         )
     )]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub path: Option<GivenPath>,
     /// Ignore a column of the file of the path.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "COLUMN", requires = "path", help_heading = ANSWER))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "COLUMN", requires = "path"))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
@@ -236,18 +232,27 @@ pub struct ExtremesQuestion {
     /// reflected, held: inertia at a joint with the other drivers free, or at rest. bearing: impulse in a joint, per closing speed of a
     /// plastic impact; an impact with the restitution e has (1+e) times this impulse. peak: peak force in a joint (N), with the contact law
     /// given by stiffness, restitution and speed. For bearing and peak, JOINT can also be a loop closure, or ground.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "QUANTITY", help_heading = ANSWER))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "QUANTITY"))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub quantity: Option<GivenQuantity>,
     /// Stiffness of the contact (N/m; 200N/mm), for peak:JOINT.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true, help_heading = IMPACT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "K", allow_hyphen_values = true, help_heading = IMPACT)
+    )]
     pub stiffness: Option<Stiffness>,
     /// Coefficient of restitution, from 0 to 1, for peak:JOINT.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "E", allow_hyphen_values = true, help_heading = IMPACT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "E", allow_hyphen_values = true, help_heading = IMPACT)
+    )]
     pub restitution: Option<Ratio>,
     /// Closing speed (m/s, km/h; rad/s for a moment), for peak:JOINT.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT)
+    )]
     pub speed: Option<Speed>,
     /// Exponent p of the spring force k x^p, for peak:JOINT.
     #[cfg_attr(
@@ -256,17 +261,17 @@ pub struct ExtremesQuestion {
     )]
     pub exponent: Option<Plain>,
     /// Contact law (damp --list-laws), for peak:JOINT.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "stiffness", help_heading = IMPACT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "NAME", requires = "stiffness", help_heading = IMPACT)
+    )]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub law: Option<LawName>,
     /// Normals among which the extremes are searched: given, any, across:X,Y,Z.
     ///
     /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "NORMALS", allow_hyphen_values = true, help_heading = ANSWER)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NORMALS", allow_hyphen_values = true))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub normals: Option<GivenNormals>,
@@ -274,21 +279,21 @@ pub struct ExtremesQuestion {
     ///
     /// Branch and bound over the ranges with interval arithmetic: trees, and loops along one or two ranges. The report gives the best
     /// proved bounds if the number of boxes is not sufficient. With stiffness and speed also a bound of the peak force v √(k m̄).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, help_heading = ANSWER))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "TOLERANCE", allow_hyphen_values = true))]
     pub certify: Option<Ratio>,
     /// Largest number of boxes of each proof; default 200000.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "N", requires = "certify", help_heading = ANSWER))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "N", requires = "certify"))]
     pub boxes: Option<u32>,
     /// Relative tolerance of all masses, moments of inertia and rotor inertias in the proof, such as 1%.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "certify", help_heading = ANSWER)
+        arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "certify")
     )]
     pub mass_tolerance: Option<Ratio>,
     /// Number of starts of the search; default 32.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=2_000), help_heading = ANSWER)
+        arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=2_000))
     )]
     pub starts: Option<u16>,
     /// End of the contact of the law; no key gives it.

@@ -45,7 +45,16 @@ pub struct IdentifyQuestion {
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
     /// Names of all columns in place of the head, separated by commas: time [ms],force [kN],- (-: not used).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "NAMES", value_delimiter = ',', allow_hyphen_values = true, help_heading = READING))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "NAMES",
+            value_delimiter = ',',
+            allow_hyphen_values = true,
+            help_heading = READING
+        )
+    )]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub columns: Vec<String>,
@@ -66,7 +75,13 @@ pub struct IdentifyQuestion {
     /// Height of a free fall onto the contact (m): gives the speed, and the weight acts.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "H", allow_hyphen_values = true, conflicts_with = "speed", help_heading = IMPACT)
+        arg(
+            long,
+            value_name = "H",
+            allow_hyphen_values = true,
+            conflicts_with = "speed",
+            help_heading = IMPACT
+        )
     )]
     pub drop: Option<Length>,
     /// The weight acts along the motion, as on a falling body; --gravity=0: it does not (m/s²; 9.80665).

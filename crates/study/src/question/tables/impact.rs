@@ -88,7 +88,7 @@ impl FromStr for PercussionRequest {
 
 /// Rigid impact at the contact: impulse, rates after the impact, and reactions.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = IMPACT))]
 #[serde(deny_unknown_fields, default)]
 pub struct ImpactQuestion {
     /// Coefficient of restitution, from 0 to 1.
@@ -98,8 +98,7 @@ pub struct ImpactQuestion {
             long,
             value_name = "E",
             required_unless_present_any = ["reflected", "damping", "hunt_crossley", "loss_factor"],
-            allow_hyphen_values = true,
-            help_heading = IMPACT
+            allow_hyphen_values = true
         )
     )]
     #[schemars(required)]
@@ -114,8 +113,7 @@ pub struct ImpactQuestion {
             long,
             value_name = "C",
             allow_hyphen_values = true,
-            conflicts_with_all = ["restitution", "law", "reach"],
-            help_heading = IMPACT
+            conflicts_with_all = ["restitution", "law", "reach"]
         )
     )]
     pub damping: Option<Damping>,
@@ -126,8 +124,7 @@ pub struct ImpactQuestion {
             long,
             value_name = "D",
             allow_hyphen_values = true,
-            conflicts_with_all = ["restitution", "damping", "law", "reach"],
-            help_heading = IMPACT
+            conflicts_with_all = ["restitution", "damping", "law", "reach"]
         )
     )]
     pub hunt_crossley: Option<Plain>,
@@ -140,8 +137,7 @@ pub struct ImpactQuestion {
             long,
             value_name = "ETA",
             allow_hyphen_values = true,
-            conflicts_with_all = ["restitution", "damping", "hunt_crossley", "law", "reach"],
-            help_heading = IMPACT
+            conflicts_with_all = ["restitution", "damping", "hunt_crossley", "law", "reach"]
         )
     )]
     pub loss_factor: Option<Plain>,
@@ -149,18 +145,18 @@ pub struct ImpactQuestion {
     ///
     /// Without rates, the motion of least energy with this speed is assumed. With rates, the speed follows from them; a given
     /// speed must agree, unless the other side is a free body.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true))]
     pub speed: Option<Speed>,
     /// Coefficient of friction (Coulomb).
     ///
     /// The restitution is the energetic one of Stronge (--restitution-law). Sliding, sticking and jamming are found; the sliding
     /// before the impact is that of the rates. Reactions include the friction.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "MU", allow_hyphen_values = true, help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "MU", allow_hyphen_values = true))]
     pub friction: Option<Plain>,
     /// Law of restitution with friction: energetic, poisson, newton, algebraic.
     ///
     /// All laws are printed side by side. Newton's law and its algebraic form can create energy.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "friction", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "friction"))]
     pub restitution_law: Option<RestitutionLawName>,
     /// Further contact at the same time: NAME, LINK:X,Y,Z:NX,NY,NZ, a moment, a cable, or JOINT:upper.
     ///
@@ -197,13 +193,7 @@ pub struct ImpactQuestion {
     /// The other joints follow from the loops. The given joints must determine all others. Units: rad/s, deg/s, rpm, m/s.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "JOINT=RATE",
-            allow_hyphen_values = true,
-            value_parser = named::joint_rates,
-            help_heading = IMPACT
-        )
+        arg(long, value_name = "JOINT=RATE", allow_hyphen_values = true, value_parser = named::joint_rates)
     )]
     #[serde(deserialize_with = "rates")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
@@ -211,19 +201,13 @@ pub struct ImpactQuestion {
     /// Velocity of a floating base before the impact: rad/s, then m/s of its origin, world axes.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "WX,WY,WZ,VX,VY,VZ",
-            allow_hyphen_values = true,
-            value_delimiter = ',',
-            help_heading = IMPACT
-        )
+        arg(long, value_name = "WX,WY,WZ,VX,VY,VZ", allow_hyphen_values = true, value_delimiter = ',')
     )]
     pub base_twist: Vec<f64>,
     /// Stiffness of the contact (N/m; 200N/mm): adds peak forces of all bearings.
     ///
     /// Default: the force curve of the stop in a suspension sheet, if any. Peak force of a bearing: its reaction per impulse of the contact, times the peak force of the contact.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true, help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true))]
     pub stiffness: Option<Stiffness>,
     /// Table of deflection and force of the contact, in place of a stiffness.
     ///
@@ -235,19 +219,18 @@ pub struct ImpactQuestion {
             long,
             value_name = "FILE",
             value_parser = GivenCurve::read,
-            conflicts_with_all = ["stiffness", "exponent"],
-            help_heading = IMPACT
+            conflicts_with_all = ["stiffness", "exponent"]
         )
     )]
     pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
+        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness")
     )]
     pub exponent: Option<Plain>,
     /// Contact law (damp --list-laws); default: kelvin-voigt, on a force curve hunt-crossley.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME"))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub law: Option<LawName>,
@@ -255,20 +238,20 @@ pub struct ImpactQuestion {
     ///
     /// The equations of motion of the whole mechanism, without friction. Adds the restitution that is reached, the change of the
     /// effective mass, and the peak force of every bearing beside its estimate.
-    #[cfg_attr(feature = "flags", arg(long, conflicts_with = "friction", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, conflicts_with = "friction"))]
     pub in_time: bool,
     /// Also with the elastic bushes and gears of the model: their forces, and the impact of the compliant mechanism.
     ///
     /// Linear about the touch, from the motion of the rigid mechanism. Bushes are those of the suspension sheet, gears those of
     /// --gear-stiffness. Springs, dampers, tyre, drives and gravity act as in the impact of the rigid mechanism; the contact has the same law and
     /// damping.
-    #[cfg_attr(feature = "flags", arg(long, requires = "in_time", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, requires = "in_time"))]
     pub compliance: bool,
     /// Damping with which the impact in time reaches the restitution.
     ///
     /// With springs, dampers, tyre, drives and gravity as they act, and the effective mass over the stroke. Without it, the damping is that of
     /// `percuss damp`, for the contact alone and the effective mass at the touch.
-    #[cfg_attr(feature = "flags", arg(long, requires = "in_time", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, requires = "in_time"))]
     pub reach: bool,
     /// Gravity during the impact in time (m/s², world axes); default: none.
     #[cfg_attr(
@@ -278,8 +261,7 @@ pub struct ImpactQuestion {
             value_name = "X,Y,Z",
             allow_hyphen_values = true,
             value_delimiter = ',',
-            requires = "in_time",
-            help_heading = IMPACT
+            requires = "in_time"
         )
     )]
     pub gravity: Vec<f64>,
@@ -289,13 +271,7 @@ pub struct ImpactQuestion {
     /// touch. Numbers without units are in SI units.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "JOINT=K,D",
-            value_parser = named::joint_spring,
-            requires = "in_time",
-            help_heading = IMPACT
-        )
+        arg(long, value_name = "JOINT=K,D", value_parser = named::joint_spring, requires = "in_time")
     )]
     #[serde(deserialize_with = "drives::by_joint")]
     #[schemars(with = "BTreeMap<String, value::OneOrMany<NumberOrText>>")]
@@ -305,13 +281,13 @@ pub struct ImpactQuestion {
     /// change (the default): the change of the spring forces since the touch; the forces at the touch are in balance with weight, tyre and
     /// other loads. full: the whole forces, with the preload of the sheet or the position without force of a joint, without a load that balances them. Dampers have their whole forces.
     /// none: left out.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "in_time", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "in_time"))]
     pub springs: Option<SheetSprings>,
     /// Spring between two points during the impact in time: LINK:X,Y,Z=LINK:X,Y,Z=RATE[=FREE].
     ///
     /// A link without a point has its origin. RATE in N/m or with a unit; FREE is the length without force; default: the length at the touch,
     /// so that only the change of the force acts. May be repeated.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "A=B=RATE", requires = "in_time", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "A=B=RATE", requires = "in_time"))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub spring: Vec<GivenPointSpring>,
@@ -319,10 +295,7 @@ pub struct ImpactQuestion {
     ///
     /// DAMPING in N·s/m or with a unit; or the force over the speed, SPEED:FORCE,SPEED:FORCE,… (m/s and N or with units), positive in rebound,
     /// linear between the points. May be repeated. The dampers of a suspension sheet act by default.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "A=B=DAMPING", requires = "in_time", help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "A=B=DAMPING", requires = "in_time"))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub damper: Vec<GivenPointDamper>,
@@ -331,10 +304,7 @@ pub struct ImpactQuestion {
     /// On a joint with one velocity, positive in its direction (N·m, N); or a force (N) that pushes two points apart,
     /// LINK:X,Y,Z=LINK:X,Y,Z=FORCE. The report states the effective weight of absorber catalogues, m̄ + 2W/v², with the work W of the drives
     /// until the largest penetration. May be repeated.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT=TORQUE", requires = "in_time", help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT=TORQUE", requires = "in_time"))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub drive: Vec<GivenDrive>,

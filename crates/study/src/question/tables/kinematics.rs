@@ -73,41 +73,44 @@ pub enum AxlePosition {
 
 /// Data of the vehicle that no suspension sheet contains.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = VEHICLE))]
 #[serde(deny_unknown_fields, default)]
 pub struct VehicleData {
     /// Position of the axle: front, rear.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "AXLE", value_enum, help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "AXLE", value_enum))]
     pub axle: Option<AxlePosition>,
     /// Share of the front axle in the braking force: 0.6, 60%.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "SHARE", help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "SHARE"))]
     pub brake_bias: Option<Ratio>,
     /// Share of this axle in the driving force: 1, 40%.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "SHARE", help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "SHARE"))]
     pub drive_share: Option<Ratio>,
     /// Height of the vehicle's centre of mass above the ground.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "LENGTH", help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LENGTH"))]
     pub cg_height: Option<Length>,
     /// Distance of the axles.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "LENGTH", help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LENGTH"))]
     pub wheelbase: Option<Length>,
     /// The brakes are on the vehicle body: the braking force acts at the wheel centre.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub inboard_brakes: bool,
     /// The driving torque comes from the vehicle body by a shaft: the driving force acts at the wheel centre.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub inboard_drive: bool,
     /// Sprung mass above one wheel (kg), for the natural frequencies.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG"))]
     pub sprung_mass: Option<PositiveMass>,
     /// Vertical rate of the tyre, with its unit: 200N/mm; without it, the tyre is rigid.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "RATE", help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "RATE"))]
     pub tyre_rate: Option<Stiffness>,
     /// Motion of the wheels per load, with the bushes of the sheet: loads on a single wheel, parallel or opposed on both; default: single.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "WHEELS", value_enum, num_args = 0..=1, default_missing_value = "single", help_heading = VEHICLE))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "WHEELS", value_enum, num_args = 0..=1, default_missing_value = "single")
+    )]
     pub compliance: Option<WheelLoads>,
     /// With the compliance, the heights of the wheel centres are held; without this, the springs hold the wheels.
-    #[cfg_attr(feature = "flags", arg(long, requires = "compliance", help_heading = VEHICLE))]
+    #[cfg_attr(feature = "flags", arg(long, requires = "compliance"))]
     pub travel_held: bool,
 }
 

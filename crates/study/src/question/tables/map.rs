@@ -32,7 +32,7 @@ pub enum MapShapes {
 
 /// Surfaces or directions of a map, and its files. The command line takes the link and the point from the contact.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = SURFACE))]
 #[serde(deny_unknown_fields, default)]
 pub struct MapQuestion {
     /// Links to map; default: the contact's link.
@@ -43,10 +43,7 @@ pub struct MapQuestion {
     /// Map every link with a shape.
     ///
     /// Links that cannot be mapped are skipped and listed.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, conflicts_with_all = ["link", "point"], help_heading = SURFACE)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, conflicts_with_all = ["link", "point"]))]
     pub all: bool,
     /// With directions: the point, m, in the link's frame; default: the contact point.
     #[cfg_attr(feature = "flags", arg(skip))]
@@ -55,35 +52,26 @@ pub struct MapQuestion {
     ///
     /// Maps the directions at one point instead of the surface, and adds the principal directions (the belted
     /// ellipsoid).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "COUNT", requires = "point", help_heading = SURFACE)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "COUNT", requires = "point"))]
     pub directions: Option<usize>,
     /// Shapes of the URDF that form the surface.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, default_value_t, help_heading = SURFACE))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, default_value_t))]
     pub shapes: MapShapes,
     /// Longest edge of a facet (m).
     ///
     /// Default: 1/60 of the size of the link. Triangles of meshes are divided, never merged.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "M", help_heading = SURFACE))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "M"))]
     pub edge: Option<Length>,
     /// Folder of a ROS package with meshes.
     ///
     /// Used for mesh names of the form package://NAME/…. Otherwise ROS_PACKAGE_PATH, AMENT_PREFIX_PATH and the parent
     /// folders of the model are searched.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "NAME=FOLDER", value_parser = named::package, help_heading = SURFACE)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME=FOLDER", value_parser = named::package))]
     #[serde(deserialize_with = "value::by_name")]
     #[schemars(with = "BTreeMap<String, String>")]
     pub package: Vec<(String, PathBuf)>,
     /// Refuse mesh files larger than this many bytes; default: 268435456.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "BYTES", help_heading = READING)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "BYTES", help_heading = READING))]
     pub max_mesh_size: Option<u64>,
     /// .ply .glb .gltf .png .svg .pdf .csv .json
     ///

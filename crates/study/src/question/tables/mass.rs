@@ -122,7 +122,7 @@ impl FromStr for GivenTolerance {
 
 /// Additional requests about a contact.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = ADDITIONAL))]
 #[serde(deny_unknown_fields, default)]
 pub struct MassOptions {
     /// Compare with this effective mass (kg); exit 1 if different.
@@ -133,39 +133,33 @@ pub struct MassOptions {
     /// Tolerances of the model's data, and their effect on the effective mass: masses and armatures in percent,
     /// centres of mass and hardpoints of a sheet as lengths. A single number is the relative tolerance of the expected
     /// mass (default 1e-9).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "PART=VALUE,…", help_heading = ADDITIONAL))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "PART=VALUE,…"))]
     #[serde(deserialize_with = "tolerances")]
     #[schemars(with = "Option<OneOrMany<NumberOrText>>")]
     pub tolerance: Vec<GivenTolerance>,
     /// Number of random designs within the tolerances, in addition to the first-order estimate.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "COUNT", requires = "tolerance", help_heading = ADDITIONAL)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "COUNT", requires = "tolerance"))]
     pub samples: Option<usize>,
     /// Random seed of the samples; default 0.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "NUMBER", requires = "samples", help_heading = ADDITIONAL)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NUMBER", requires = "samples"))]
     pub seed: Option<u64>,
     /// Prove bounds of the effective mass with interval arithmetic.
     ///
     /// The bounds hold for rigid links and ideal joints, for the numbers of the model as read. For loops the assembly is proved, and that
     /// there is no other one near it.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub certify: bool,
     /// Show sensitivities, and the most effective changes.
     ///
     /// Derivatives of the effective mass with respect to each link's mass and centre of mass, each armature and each
     /// hardpoint of a sheet, and the changes that reduce the effective mass most.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub explain: bool,
     /// Coefficients of friction from which the contact can stick, jam or wedge.
     ///
     /// The coefficients do not depend on the velocities. A contact with one relative motion, such as the bump stop of a suspension, wedges
     /// from a coefficient of 1/t; t is the sliding speed per closing speed.
-    #[cfg_attr(feature = "flags", arg(long, help_heading = ADDITIONAL))]
+    #[cfg_attr(feature = "flags", arg(long))]
     pub friction_thresholds: bool,
 }
 

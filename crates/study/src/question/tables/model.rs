@@ -32,7 +32,7 @@ pub struct CheckQuestion {}
 
 /// Model of a question, with changes.
 #[derive(Clone, Debug, Default, Deserialize, Serialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = CHANGES))]
 #[serde(deny_unknown_fields)]
 pub struct ModelTable {
     /// A URDF, MJCF or SDFormat file, or a suspension's sheet or table.
@@ -52,7 +52,12 @@ pub struct ModelTable {
     /// their masses. A warning marks the results as estimates.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "shapes[:DENSITY]", value_parser = value::density_of_shapes, help_heading = READING)
+        arg(
+            long,
+            value_name = "shapes[:DENSITY]",
+            value_parser = value::density_of_shapes,
+            help_heading = READING
+        )
     )]
     #[serde(
         default,
@@ -71,13 +76,7 @@ pub struct ModelTable {
     /// The moments of inertia about the centre of mass are scaled by the same factor.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "LINK=KG",
-            value_parser = named::link_mass,
-            allow_hyphen_values = true,
-            help_heading = CHANGES
-        )
+        arg(long, value_name = "LINK=KG", value_parser = named::link_mass, allow_hyphen_values = true)
     )]
     #[serde(
         default,
@@ -90,13 +89,7 @@ pub struct ModelTable {
     /// Change the centre of mass of a link (m, link frame).
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "LINK=X,Y,Z",
-            value_parser = named::link_com,
-            allow_hyphen_values = true,
-            help_heading = CHANGES
-        )
+        arg(long, value_name = "LINK=X,Y,Z", value_parser = named::link_com, allow_hyphen_values = true)
     )]
     #[serde(
         default,
@@ -116,8 +109,7 @@ pub struct ModelTable {
             long,
             value_name = "LINK=IXX,IYY,IZZ",
             value_parser = named::link_inertia,
-            allow_hyphen_values = true,
-            help_heading = CHANGES
+            allow_hyphen_values = true
         )
     )]
     #[serde(
@@ -137,8 +129,7 @@ pub struct ModelTable {
             long = "move",
             value_name = "POINT=X,Y,Z",
             value_parser = named::point_shift,
-            allow_hyphen_values = true,
-            help_heading = CHANGES
+            allow_hyphen_values = true
         )
     )]
     #[serde(

@@ -39,50 +39,90 @@ pub struct LimitError {
 
 /// Limit of the impact of a robot on a person.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = LIMIT))]
 #[serde(deny_unknown_fields, default)]
 pub struct SafeSpeedQuestion {
     /// Region of the body; --list-regions shows all.
     ///
     /// The robot hits this region. Without a region, the other side is rigid and fixed (a person held against a wall;
     /// doors, guards), and energy or momentum is the limit.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", help_heading = LIMIT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME"))]
     pub region: Option<String>,
     /// Largest permitted force (N), from the standard.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "F", allow_hyphen_values = true, conflicts_with = "pressure", help_heading = LIMIT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "F", allow_hyphen_values = true, conflicts_with = "pressure")
+    )]
     pub force: Option<Force>,
     /// Largest pressure (N/cm²), with an area.
     ///
     /// The value is given by the standard. Units: N/cm2, N/mm2, MPa.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "P", allow_hyphen_values = true, requires = "area", help_heading = LIMIT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "P", allow_hyphen_values = true, requires = "area")
+    )]
     pub pressure: Option<Pressure>,
     /// Contact area (cm², mm2), for a pressure.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "A", allow_hyphen_values = true, requires = "pressure", help_heading = LIMIT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "A", allow_hyphen_values = true, requires = "pressure")
+    )]
     pub area: Option<Area>,
     /// Largest energy of the impact (J): 1/2 μ v².
     ///
     /// The value is given by the standard. Without a region, μ is the effective mass of the robot.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "E", allow_hyphen_values = true, conflicts_with_all = ["force", "pressure", "momentum"], help_heading = LIMIT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "E",
+            allow_hyphen_values = true,
+            conflicts_with_all = ["force", "pressure", "momentum"]
+        )
+    )]
     pub energy: Option<Energy>,
     /// Largest exchanged momentum (N·s): μ v.
     ///
     /// The value is given by the standard.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "P", allow_hyphen_values = true, conflicts_with_all = ["force", "pressure"], help_heading = LIMIT))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "P", allow_hyphen_values = true, conflicts_with_all = ["force", "pressure"])
+    )]
     pub momentum: Option<Momentum>,
     /// Directions (world axes); the slowest counts.
     ///
     /// They replace the normal; the lowest speed is the result.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with_all = ["normal", "along_line"], help_heading = WHICH))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "X,Y,Z",
+            allow_hyphen_values = true,
+            conflicts_with_all = ["normal", "along_line"],
+            help_heading = WHICH
+        )
+    )]
     pub direction: Vec<Vector>,
     /// Direction with the largest effective mass.
     ///
     /// It replaces the normal.
-    #[cfg_attr(feature = "flags", arg(long, conflicts_with_all = ["normal", "along_line"], help_heading = WHICH))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, conflicts_with_all = ["normal", "along_line"], help_heading = WHICH)
+    )]
     pub worst_direction: bool,
     /// File of positions; the slowest row counts.
     ///
     /// The format is that of percuss sweep. The row with the lowest speed is the result.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["direction", "worst_direction"], help_heading = WHICH))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(
+            long,
+            value_name = "FILE.csv|.parquet",
+            conflicts_with_all = ["direction", "worst_direction"],
+            help_heading = WHICH
+        )
+    )]
     pub input: Option<String>,
     /// Ignore a column of the file of positions.
     #[cfg_attr(feature = "flags", arg(long, value_name = "COLUMN", requires = "input", help_heading = WHICH))]
@@ -94,7 +134,14 @@ pub struct SafeSpeedQuestion {
     /// With certify: a speed that holds for all positions in the ranges, at the contact point and the normal of the question.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "JOINT=FROM:TO", allow_hyphen_values = true, requires = "certify", conflicts_with = "input", help_heading = WHICH)
+        arg(
+            long,
+            value_name = "JOINT=FROM:TO",
+            allow_hyphen_values = true,
+            requires = "certify",
+            conflicts_with = "input",
+            help_heading = WHICH
+        )
     )]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
@@ -102,13 +149,19 @@ pub struct SafeSpeedQuestion {
     /// Prove a speed for all positions in the ranges, within a relative tolerance of the mass, such as 2%.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "TOLERANCE", allow_hyphen_values = true, requires = "range", help_heading = WHICH)
+        arg(
+            long,
+            value_name = "TOLERANCE",
+            allow_hyphen_values = true,
+            requires = "range",
+            help_heading = WHICH
+        )
     )]
     pub certify: Option<Ratio>,
     /// Load that is missing in the model (kg); default 0.
     ///
     /// Load and tool: a point mass at the contact, and m_L in the standard's M/2 + m_L.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", allow_hyphen_values = true, help_heading = LIMIT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", allow_hyphen_values = true))]
     pub load: Option<Mass>,
     /// Rows of positions in place of `input`; the slowest row counts.
     #[cfg_attr(feature = "flags", arg(skip))]

@@ -61,7 +61,7 @@ pub enum DecimalSign {
 
 /// Style of the tables of a study.
 #[derive(Clone, Debug, Default, PartialEq, Eq)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = OUTPUT))]
 pub struct StudyTable {
     /// Units of a table: mm,deg.
     ///
@@ -69,11 +69,11 @@ pub struct StudyTable {
     /// numbers are rounded to their significant digits.
     #[cfg_attr(
         feature = "flags",
-        arg(long = "unit", id = "unit", value_name = "UNIT", value_enum, value_delimiter = ',', help_heading = OUTPUT)
+        arg(long = "unit", id = "unit", value_name = "UNIT", value_enum, value_delimiter = ',')
     )]
     pub units: Vec<TableUnit>,
     /// Decimal sign in CSV.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, default_value_t, help_heading = OUTPUT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, default_value_t))]
     pub decimal: DecimalSign,
 }
 
@@ -111,29 +111,23 @@ impl FromStr for AxisLimits {
 
 /// Style of the figures of a study.
 #[derive(Clone, Debug, Default, PartialEq)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = OUTPUT))]
 pub struct StudyFigure {
     /// Title of the figure.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "TEXT", help_heading = OUTPUT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "TEXT"))]
     pub title: Option<String>,
     /// Ends of the horizontal axis, in its unit.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "FROM:TO", allow_hyphen_values = true, help_heading = OUTPUT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "FROM:TO", allow_hyphen_values = true))]
     pub x_limits: Option<AxisLimits>,
     /// Ends of the axis of the effective mass (kg).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "FROM:TO", allow_hyphen_values = true, help_heading = OUTPUT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "FROM:TO", allow_hyphen_values = true))]
     pub y_limits: Option<AxisLimits>,
 }
 
 /// Rows of a sweep, and the files of its results. The command line has the last five keys in [`StudyTable`] and
 /// [`StudyFigure`].
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = ROWS))]
 #[serde(deny_unknown_fields, default)]
 pub struct SweepQuestion {
     /// Range of a joint, or of the travel of a point.
@@ -146,8 +140,7 @@ pub struct SweepQuestion {
         arg(
             long,
             value_name = "JOINT=FROM:TO:COUNT",
-            required_unless_present_any = ["input", "random", "wheel_travel", "heave", "roll", "steer"],
-            help_heading = ROWS
+            required_unless_present_any = ["input", "random", "wheel_travel", "heave", "roll", "steer"]
         )
     )]
     #[serde(deserialize_with = "value::words")]
@@ -159,29 +152,21 @@ pub struct SweepQuestion {
     /// numbers). A unit other than SI follows the name: `elbow [deg]`. - reads the standard input.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "FILE.csv|.parquet",
-            conflicts_with_all = ["vary", "random"],
-            help_heading = ROWS
-        )
+        arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["vary", "random"])
     )]
     pub input: Option<String>,
     /// Ignore a column of the file of positions.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "COLUMN", help_heading = ROWS))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "COLUMN"))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub ignore: Vec<String>,
     /// Number of random positions within joint limits.
     ///
     /// Joints with a set position keep it.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "COUNT", conflicts_with = "vary", help_heading = ROWS)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "COUNT", conflicts_with = "vary"))]
     pub random: Option<usize>,
     /// Random seed; default 0. The numbers are the same on every machine.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "NUMBER", help_heading = ROWS))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NUMBER"))]
     pub seed: Option<u64>,
     /// Adds the gradient g of m̄, one number per velocity of every movable joint, kg/rad or kg/m.
     ///

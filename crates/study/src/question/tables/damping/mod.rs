@@ -82,24 +82,18 @@ impl From<Separation> for SeparationName {
 
 /// Damper for a coefficient of restitution, and the simulators that need its parameters.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = DAMPER))]
 #[serde(deny_unknown_fields, default)]
 pub struct DampingQuestion {
     /// Required coefficient of restitution, from 0 to 1.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "E", allow_hyphen_values = true, help_heading = DAMPER)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "E", allow_hyphen_values = true))]
     #[schemars(required)]
     pub restitution: Option<Ratio>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
     /// Without a restitution: the stiffness for which the effect of the bushes and gears of the model is judged. Default: the force curve of the stop in a suspension sheet, which a given stiffness replaces. Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
     /// N·m/rad (Nm/rad, Nm/deg).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "K", allow_hyphen_values = true, help_heading = DAMPER)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true))]
     pub stiffness: Option<Stiffness>,
     /// Table of deflection and force of the contact, in place of a stiffness.
     ///
@@ -112,8 +106,7 @@ pub struct DampingQuestion {
             value_name = "FILE",
             value_parser = GivenCurve::read,
             requires = "restitution",
-            conflicts_with_all = ["stiffness", "exponent"],
-            help_heading = DAMPER
+            conflicts_with_all = ["stiffness", "exponent"]
         )
     )]
     pub stiffness_curve: Option<GivenCurve>,
@@ -122,7 +115,7 @@ pub struct DampingQuestion {
     /// 1 is a linear spring (the default), 1.5 a Hertz contact.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "P", allow_hyphen_values = true, requires = "restitution")
     )]
     pub exponent: Option<Plain>,
     /// Approach speed (m/s): penetration, force, energy.
@@ -131,23 +124,20 @@ pub struct DampingQuestion {
     /// rad/s, deg/s. Some laws depend on the speed.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "V", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "V", allow_hyphen_values = true, requires = "restitution")
     )]
     pub speed: Option<Speed>,
     /// Law of the damper (damp --list-laws).
     ///
     /// `percuss damp --list-laws` lists the laws. Default: kelvin-voigt; hunt-crossley on a force curve, because a linear damper gives a soft
     /// stop its largest force at zero penetration.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "NAME", requires = "restitution", help_heading = DAMPER)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "restitution"))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>", extend("enum" = laws()))]
     pub law: Option<LawName>,
     /// End of the contact: when the force vanishes (the default), or when the gap closes (the damper then pulls at
     /// the end).
-    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "restitution", help_heading = DAMPER))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "restitution"))]
     pub separation: Option<SeparationName>,
     /// Parameters for one simulator, or for all.
     ///
@@ -155,13 +145,7 @@ pub struct DampingQuestion {
     /// exudyn, newton, jolt, or all; separate several names by commas.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long = "for",
-            value_name = "TOOL",
-            value_delimiter = ',',
-            requires = "restitution",
-            help_heading = DAMPER
-        )
+        arg(long = "for", value_name = "TOOL", value_delimiter = ',', requires = "restitution")
     )]
     #[serde(rename = "for", deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
@@ -169,31 +153,31 @@ pub struct DampingQuestion {
     /// Permitted error of the simulator's restitution, default 0.001; determines the time step.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "E", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "E", allow_hyphen_values = true, requires = "restitution")
     )]
     pub accuracy: Option<Ratio>,
     /// Time step of the simulator (s, ms); default: the step that the accuracy requires.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "S", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "S", allow_hyphen_values = true, requires = "restitution")
     )]
     pub time_step: Option<Time>,
     /// Mass (kg) of the contact link alone, for simulators that need it; default: from the model, if any.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution")
     )]
     pub own_mass: Option<PositiveMass>,
     /// Mass (kg) of the other body alone, as for the contact link.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution")
     )]
     pub other_own_mass: Option<PositiveMass>,
     /// MuJoCo's α = Â·m̄; Â is the sum of body_invweight0 of both bodies. Default: from the model, if any.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "A", allow_hyphen_values = true, requires = "restitution", help_heading = DAMPER)
+        arg(long, value_name = "A", allow_hyphen_values = true, requires = "restitution")
     )]
     pub diagonal_ratio: Option<Plain>,
     /// In place of a contact: the stop of this joint, JOINT, JOINT:lower or JOINT:upper.

@@ -42,7 +42,7 @@ fn parameters<'de, D: serde::Deserializer<'de>>(from: D) -> Result<Vec<ToolParam
 
 /// Spring and damper, or parameters of a simulator, whose restitution is asked.
 #[derive(Clone, Debug, Default, PartialEq, Deserialize, JsonSchema)]
-#[cfg_attr(feature = "flags", derive(clap::Args))]
+#[cfg_attr(feature = "flags", derive(clap::Args), command(next_help_heading = IMPACT))]
 #[serde(deny_unknown_fields, default)]
 pub struct RestitutionQuestion {
     /// Approach speeds (m/s), separated by commas.
@@ -50,7 +50,7 @@ pub struct RestitutionQuestion {
     /// The result has a row for each. Units: m/s, mm/s, km/h.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "V", value_delimiter = ',', allow_hyphen_values = true, help_heading = IMPACT)
+        arg(long, value_name = "V", value_delimiter = ',', allow_hyphen_values = true)
     )]
     #[serde(deserialize_with = "value::one_or_many")]
     #[schemars(with = "Option<value::OneOrMany<value::NumberOrText>>", required)]
@@ -60,7 +60,7 @@ pub struct RestitutionQuestion {
     /// Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "K", allow_hyphen_values = true, conflicts_with = "tool", help_heading = IMPACT)
+        arg(long, value_name = "K", allow_hyphen_values = true, conflicts_with = "tool")
     )]
     pub stiffness: Option<Stiffness>,
     /// Force curve of the contact in place of a stiffness: a file, points or powers.
@@ -72,15 +72,14 @@ pub struct RestitutionQuestion {
             long,
             value_name = "CURVE",
             value_parser = GivenCurve::read,
-            conflicts_with_all = ["stiffness", "exponent", "tool"],
-            help_heading = IMPACT
+            conflicts_with_all = ["stiffness", "exponent", "tool"]
         )
     )]
     pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p; default 1.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
+        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness")
     )]
     pub exponent: Option<Plain>,
     /// Damping c of k x^p + c x^((p-1)/2) v, or beside a force curve (N·s/m).
@@ -88,19 +87,13 @@ pub struct RestitutionQuestion {
     /// Units: N·s/m, N·s/mm; with an exponent p the number is in N·s/m^((p+1)/2).
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "C", allow_hyphen_values = true, conflicts_with = "tool", help_heading = IMPACT)
+        arg(long, value_name = "C", allow_hyphen_values = true, conflicts_with = "tool")
     )]
     pub damping: Option<Damping>,
     /// Dissipation d of k x^p (1 + d v), s/m.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "D",
-            allow_hyphen_values = true,
-            conflicts_with_all = ["damping", "tool"],
-            help_heading = IMPACT
-        )
+        arg(long, value_name = "D", allow_hyphen_values = true, conflicts_with_all = ["damping", "tool"])
     )]
     pub hunt_crossley: Option<Plain>,
     /// Loss factor η of F (1 + (π/2) η sgn v), F = k x^p or a force curve.
@@ -113,29 +106,25 @@ pub struct RestitutionQuestion {
             long,
             value_name = "ETA",
             allow_hyphen_values = true,
-            conflicts_with_all = ["damping", "hunt_crossley", "tool"],
-            help_heading = IMPACT
+            conflicts_with_all = ["damping", "hunt_crossley", "tool"]
         )
     )]
     pub loss_factor: Option<Plain>,
     /// End of the contact: when the force vanishes (the default), or when the gap closes.
-    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "damping", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "damping"))]
     pub separation: Option<SeparationName>,
     /// Simulator of the parameters (damp --list-tools).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "parameter", help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "parameter"))]
     pub tool: Option<String>,
     /// Parameter of the simulator, NAME=VALUE or NAME=VALUE,VALUE; repeat it for each.
     ///
     /// The names are those of `percuss damp --for NAME`: solref=-1e4,-50.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "NAME=VALUE", requires = "tool", help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME=VALUE", requires = "tool"))]
     #[serde(deserialize_with = "parameters")]
     #[schemars(with = "Option<BTreeMap<String, value::OneOrMany<f64>>>")]
     pub parameter: Vec<ToolParameter>,
     /// Force (N) for the penetration at rest.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "F", allow_hyphen_values = true, help_heading = IMPACT))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "F", allow_hyphen_values = true))]
     pub load: Option<Force>,
 }
 
