@@ -265,17 +265,8 @@ pub unsafe extern "C" fn percuss_builder_joint(
 ) -> percuss_status {
     guard_call(|| {
         let given = argument_ref(description, "description")?;
-        let kinds = [
-            JointKind::Fixed,
-            JointKind::Revolute,
-            JointKind::Continuous,
-            JointKind::Prismatic,
-            JointKind::Planar,
-            JointKind::Spherical,
-            JointKind::Floating,
-        ];
         let name = input_text(given.name, "name")?;
-        let kind = enumeration_value(&kinds, given.kind, "kind")?;
+        let kind = enumeration_value(&JointKind::ALL, given.kind, "kind")?;
         let (parent, child) = (input_text(given.parent, "parent")?, input_text(given.child, "child")?);
         let mut joint = JointDescription::new(name, kind, parent, child);
         joint.origin = frame(given.position, given.quaternion, &format!("joint \"{name}\""))?;

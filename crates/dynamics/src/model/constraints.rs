@@ -5,7 +5,6 @@ use super::body::LinkFrame;
 use super::compile::ZeroFrames;
 use super::constraint::{CompiledClosure, CompiledCoupling, CouplingTerm};
 use crate::model::conditions::CompiledHold;
-use crate::model::joint_motion::turns;
 use crate::tolerances::REVERSED_AXES;
 use percuss_mechanism::{ClosureKind, JointId, LoopFrame};
 use percuss_spatial::Transform;
@@ -59,7 +58,7 @@ impl Model {
             self.couplings.push(CompiledCoupling {
                 name: coupling.name().to_owned(),
                 terms: coupling.terms().iter().filter_map(term).collect(),
-                turns: first.is_some_and(|(j, _)| turns(mechanism.joint(*j).kind(), 0)),
+                turns: first.is_some_and(|(j, _)| mechanism.joint(*j).kind().turns(0)),
                 constant: coupling.constant(),
                 offset: curve.map_or(0.0, |curve| curve.offset()),
                 curve: curve.map(|curve| curve.coefficients()),

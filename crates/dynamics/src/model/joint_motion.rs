@@ -101,17 +101,7 @@ impl JointMotion {
 
     /// True if velocity `k` is a rotation (rad/s), false for a translation (m/s).
     pub fn turns(&self, k: usize) -> bool {
-        turns(self.kind, k)
-    }
-}
-
-/// True if velocity `k` of a kind of joint is a rotation (rad/s), false for a translation (m/s).
-pub(crate) fn turns(kind: JointKind, k: usize) -> bool {
-    match kind {
-        JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
-        JointKind::Prismatic | JointKind::Fixed => false,
-        JointKind::Planar => k == 2,
-        JointKind::Floating => k < 3,
+        self.kind.turns(k)
     }
 }
 

@@ -9,7 +9,6 @@ use crate::loops::closing::Directions;
 use crate::mobility::Singularity;
 use crate::model::configuration::Configuration;
 use crate::model::input::{foreign_link, is_number};
-use crate::model::joint_motion::turns;
 use crate::model::{Model, VelocityCoordinate};
 use crate::motion::gap::speed_along;
 use crate::motion::travel_search::{Scale, Search, SearchError, TravelPoint, VisitError};
@@ -482,7 +481,7 @@ fn is_driver(mechanism: &Mechanism, joint: JointId) -> bool {
 
 /// Unit of a joint's steps: 1 rad, or the size of the mechanism.
 fn unit(mechanism: &Mechanism, joint: JointId) -> f64 {
-    if turns(mechanism.joint(joint).kind(), 0) { 1.0 } else { mechanism.characteristic_length() }
+    if mechanism.joint(joint).kind().turns(0) { 1.0 } else { mechanism.characteristic_length() }
 }
 
 /// Group of loops that contains a joint.

@@ -71,16 +71,6 @@ pub(crate) struct Tree {
     pub body_of_joint: Vec<Option<usize>>,
 }
 
-/// True if velocity `k` of a kind of joint is a rotation.
-fn turns(kind: JointKind, k: usize) -> bool {
-    match kind {
-        JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
-        JointKind::Prismatic | JointKind::Fixed => false,
-        JointKind::Planar => k == 2,
-        JointKind::Floating => k < 3,
-    }
-}
-
 impl Tree {
     /// Tree of the request's mechanism under its conditions.
     pub fn new(request: &Request) -> Self {
@@ -184,7 +174,7 @@ impl Tree {
                 (None, None) => (std::mem::take(&mut base), 1.0),
             };
             for component in 0..dofs {
-                let turns = turns(body.kind, component);
+                let turns = body.kind.turns(component);
                 let coordinate = coordinate + component;
                 self.velocities.push(TreeVelocity { body: number, component, coordinate, multiplier, turns });
             }

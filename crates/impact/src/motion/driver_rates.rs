@@ -190,19 +190,9 @@ pub(crate) fn lengths(pose: &Pose, coordinates: &[(Option<JointId>, usize)]) -> 
     let size = mechanism.characteristic_length();
     let length = |&(joint, k): &(Option<JointId>, usize)| {
         let kind = joint.map_or(JointKind::Floating, |joint| mechanism.joint(joint).kind());
-        if turns(kind, k) { size } else { 1.0 }
+        if kind.turns(k) { size } else { 1.0 }
     };
     coordinates.iter().map(length).collect()
-}
-
-/// True if velocity `k` of a kind of joint is a rotation.
-pub(crate) fn turns(kind: JointKind, k: usize) -> bool {
-    match kind {
-        JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
-        JointKind::Prismatic | JointKind::Fixed => false,
-        JointKind::Planar => k == 2,
-        JointKind::Floating => k < 3,
-    }
 }
 
 /// Orthonormal basis of ker A over scaled coordinates, n × degrees of freedom.
@@ -247,7 +237,7 @@ fn given_rows(
                 return Err(RatesError::NotFinite { joint: name(), rate });
             }
             let coordinate = coordinates.iter().position(|c| *c == (Some(master), k));
-            let length = if turns(joint.kind(), k) { size } else { 1.0 };
+            let length = if joint.kind().turns(k) { size } else { 1.0 };
             rows.push(GivenRow {
                 joint: driver.joint,
                 entry: coordinate.map(|c| (c, multiplier)),

@@ -74,6 +74,16 @@ impl JointKind {
         }
     }
 
+    /// True if velocity `k` is a rotation (rad/s), false for a translation (m/s).
+    pub fn turns(self, k: usize) -> bool {
+        match self {
+            JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
+            JointKind::Prismatic | JointKind::Fixed => false,
+            JointKind::Planar => k == 2,
+            JointKind::Floating => k < 3,
+        }
+    }
+
     /// Number of position coordinates.
     pub fn positions(self) -> usize {
         match self {

@@ -21,24 +21,13 @@ pub fn joint_of_parts(
     mimic: Option<(String, f64, f64)>,
     positions: (usize, usize),
 ) -> PyResult<Joint> {
-    let kind = JOINT_KINDS.into_iter().map(JointKind::name).find(|name| *name == kind);
+    let kind = JointKind::ALL.into_iter().map(JointKind::name).find(|name| *name == kind);
     let kind = kind.ok_or_else(|| errors::input("an unknown kind of joint"))?;
     let (name, parent, child) = names;
     let (multiplier, offset) = mimic.as_ref().map(|mimic| (mimic.1, mimic.2)).unzip();
     let mimics = mimic.map(|mimic| mimic.0);
     Ok(Joint { name, kind, parent, child, limits, mimics, multiplier, offset, positions })
 }
-
-/// The kinds of joints.
-const JOINT_KINDS: [JointKind; 7] = [
-    JointKind::Fixed,
-    JointKind::Revolute,
-    JointKind::Continuous,
-    JointKind::Prismatic,
-    JointKind::Planar,
-    JointKind::Spherical,
-    JointKind::Floating,
-];
 
 /// A joint of a model.
 ///

@@ -43,13 +43,7 @@ impl GivenRates {
 
 /// Dimension of velocity `k` of a joint.
 pub(crate) fn rate_dimension(kind: JointKind, k: usize) -> Dimension {
-    let turns = match kind {
-        JointKind::Revolute | JointKind::Continuous | JointKind::Spherical => true,
-        JointKind::Prismatic | JointKind::Fixed => false,
-        JointKind::Planar => k == 2,
-        JointKind::Floating => k < 3,
-    };
-    if turns { Dimension::AngularSpeed } else { Dimension::Speed }
+    if kind.turns(k) { Dimension::AngularSpeed } else { Dimension::Speed }
 }
 
 #[cfg(test)]
