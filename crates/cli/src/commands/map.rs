@@ -46,9 +46,26 @@ pub fn formats(outputs: &[String]) -> Result<Vec<(String, MapFormat)>, Failure> 
 
 /// Writes a map with its findings and its files.
 pub fn write(result: &MapResult, output: &MapOutput) -> Result<(), Failure> {
-    match result {
-        MapResult::Surfaces(answer) => surfaces(answer, output),
-        MapResult::Directions(report) => directions(report, output),
+    // The mesh files are known only after the computation.
+    result.inputs().iter().for_each(|input| record_input(&input.path));
+    write_diagnostics(result.diagnostics(), output.strict)?;
+    if let MapResult::Surfaces(answer) = result {
+        answer.report.left_out.iter().for_each(|left| note(&format!("left out: {}", left.reason)));
+    }
+    write_files(result, &output.formats, output.table)?;
+    match (output.format, result) {
+        (MassFormat::Text, _) => write_text(&document(result).text()),
+        (MassFormat::Json, _) => write_json(result),
+        (MassFormat::Csv, MapResult::Surfaces(answer)) => {
+            let mut out = Output::open(None)?;
+            map_files::csv(answer, output.table, &mut out).map_err(|error| out.failure(error))?;
+            out.finish()
+        }
+        (MassFormat::Csv, MapResult::Directions(report)) => {
+            let mut bytes = Vec::new();
+            map_files::point_csv(report, output.table, &mut bytes)?;
+            write_out(&String::from_utf8_lossy(&bytes))
+        }
     }
 }
 
@@ -58,74 +75,16 @@ pub fn write_files(
     formats: &[(String, MapFormat)],
     table: TableStyle,
 ) -> Result<(), Failure> {
-    match result {
-        MapResult::Surfaces(answer) => write_surfaces(answer, formats, table),
-        MapResult::Directions(report) => write_directions(report, formats, table),
-    }
-}
-
-/// Writes the files of a map of the directions at a point.
-fn write_directions(
-    report: &PointMapReport,
-    formats: &[(String, MapFormat)],
-    table: TableStyle,
-) -> Result<(), Failure> {
     for (path, format) in formats {
         let mut out = Output::open(Some(path))?;
-        map_files::write_point(report, *format, table, &mut out)
-            .map_err(|error| error.failure(path, &out))?;
+        let written = match result {
+            MapResult::Surfaces(answer) => map_files::write(answer, *format, table, &mut out),
+            MapResult::Directions(report) => map_files::write_point(report, *format, table, &mut out),
+        };
+        written.map_err(|error| error.failure(path, &out))?;
         out.finish()?;
     }
     Ok(())
-}
-
-/// Writes the files of a map of surfaces.
-fn write_surfaces(
-    answer: &MapAnswer,
-    formats: &[(String, MapFormat)],
-    table: TableStyle,
-) -> Result<(), Failure> {
-    for (path, format) in formats {
-        let mut out = Output::open(Some(path))?;
-        map_files::write(answer, *format, table, &mut out).map_err(|error| error.failure(path, &out))?;
-        out.finish()?;
-    }
-    Ok(())
-}
-
-/// Writes the map of the directions at a point.
-fn directions(report: &PointMapReport, output: &MapOutput) -> Result<(), Failure> {
-    write_diagnostics(&report.diagnostics, output.strict)?;
-    write_directions(report, &output.formats, output.table)?;
-    match output.format {
-        MassFormat::Text => write_text(&directions_document(report).text()),
-        MassFormat::Json => write_json(report),
-        MassFormat::Csv => {
-            let mut bytes = Vec::new();
-            map_files::point_csv(report, output.table, &mut bytes)?;
-            write_out(&String::from_utf8_lossy(&bytes))
-        }
-    }
-}
-
-/// Writes the map of surfaces.
-fn surfaces(answer: &MapAnswer, output: &MapOutput) -> Result<(), Failure> {
-    // The mesh files are known only after the computation.
-    answer.report.inputs.iter().for_each(|input| record_input(&input.path));
-    write_diagnostics(&answer.report.diagnostics, output.strict)?;
-    for left in &answer.report.left_out {
-        note(&format!("left out: {}", left.reason));
-    }
-    write_surfaces(answer, &output.formats, output.table)?;
-    match output.format {
-        MassFormat::Text => write_text(&surfaces_document(answer).text()),
-        MassFormat::Json => write_json(&answer.report),
-        MassFormat::Csv => {
-            let mut out = Output::open(None)?;
-            map_files::csv(answer, output.table, &mut out).map_err(|error| out.failure(error))?;
-            out.finish()
-        }
-    }
 }
 
 /// Table of links, one row each.
