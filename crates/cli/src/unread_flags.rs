@@ -16,7 +16,14 @@ struct Unread {
     reason: &'static str,
 }
 
-const UNREAD: [Unread; 21] = [
+const UNREAD: [Unread; 22] = [
+    Unread {
+        commands: "mass",
+        flags: "limit",
+        with: "",
+        without: "",
+        reason: "percuss damp and percuss export use the stop of a joint; as a contact write --at JOINT:upper",
+    },
     Unread {
         commands: "map damp restitution identify response safe-speed extremes generate export",
         flags: "estimate",

@@ -59,7 +59,8 @@ pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
 pub use question::errors::question_error::{Fault, StudyError};
 pub use question::errors::refusal::InvalidKey;
 pub use question::errors::table_error::{TableError, TableFault};
-pub use question::mass_question::{EstimateQuestion, Hold, MassQuestion, RatioPoint, UPWARDS};
+pub use question::link_points::{EstimateQuestion, Hold, RatioPoint, UPWARDS};
+pub use question::mass_question::MassQuestion;
 pub use question::names::Names;
 pub use question::pose_file::{GivenPose, GivenPoseError};
 pub use question::row_source::{PositionFile, RowSource};
@@ -179,6 +180,8 @@ pub use values::force_curve::{ForceCurveRecord, GivenCurve};
 pub use values::named::point_shift;
 pub use values::point_force::{GivenDrive, GivenPointDamper, GivenPointSpring};
 pub use values::position::GivenPosition;
+#[cfg(feature = "flags")]
+pub use values::quantities::is_number_flag;
 pub use values::quantities::{
     Area, Energy, Force, Length, LinkPoint, Mass, Moments, Momentum, Plain, Point, PositiveMass, Pressure,
     Ratio, Speed, Stiffness, Time, Vector,

@@ -6,8 +6,7 @@ use super::output::{CheckFormat, WritingArgs};
 use clap::Args;
 use percuss_study::headings::{LIMIT, OUTPUT};
 use percuss_study::{
-    DampingQuestion, IdentifyQuestion, JointStop, Mass, ResponseQuestion, RestitutionQuestion,
-    SafeSpeedQuestion,
+    DampingQuestion, IdentifyQuestion, Mass, ResponseQuestion, RestitutionQuestion, SafeSpeedQuestion,
 };
 
 /// Heading in the help: source of the effective mass.
@@ -17,31 +16,13 @@ const FROM: &str = "Effective mass";
 #[derive(Debug, Args)]
 pub struct DampArgs {
     /// Effective mass (kg).
-    #[arg(
-        long,
-        value_name = "KG",
-        allow_hyphen_values = true,
-        conflicts_with = "mass_from",
-        help_heading = FROM
-    )]
+    #[arg(long, value_name = "KG", conflicts_with = "mass_from", help_heading = FROM)]
     pub mass: Option<Mass>,
     /// Effective mass at a contact of this model.
     ///
     /// The flags of `percuss mass` define the contact.
     #[arg(long, value_name = "MODEL", help_heading = FROM)]
     pub mass_from: Option<String>,
-    /// Stop of a joint of the model, not a contact.
-    ///
-    /// The damper uses the effective inertia at the joint, loops included. The joint is at its --set position, or at
-    /// its lower or upper limit. --for supports mujoco, ode, newton and physx.
-    #[arg(
-        long,
-        value_name = "JOINT[:lower|:upper]",
-        requires = "mass_from",
-        help_heading = FROM,
-        conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
-    )]
-    pub limit: Option<JointStop>,
     #[command(flatten)]
     pub reading: ReadingArgs,
     #[command(flatten)]
@@ -73,7 +54,7 @@ pub struct RestitutionArgs {
     #[arg(required_unless_present = "mass")]
     pub model: Option<String>,
     /// Effective mass (kg), in place of a contact of a model.
-    #[arg(long, value_name = "KG", allow_hyphen_values = true, conflicts_with = "model", help_heading = FROM)]
+    #[arg(long, value_name = "KG", conflicts_with = "model", help_heading = FROM)]
     pub mass: Option<Mass>,
     #[command(flatten)]
     pub reading: ReadingArgs,
@@ -92,13 +73,7 @@ pub struct IdentifyArgs {
     #[command(flatten)]
     pub identify: IdentifyQuestion,
     /// Expected effective mass (kg); used if the data do not determine it.
-    #[arg(
-        long,
-        value_name = "KG",
-        allow_hyphen_values = true,
-        conflicts_with = "mass_from",
-        help_heading = FROM
-    )]
+    #[arg(long, value_name = "KG", conflicts_with = "mass_from", help_heading = FROM)]
     pub mass: Option<Mass>,
     /// Expected effective mass at a contact of this model.
     ///

@@ -2,8 +2,8 @@
 
 use super::{CheckFormat, ContactArgs, ModelArgs, WritingArgs};
 use clap::Args;
-use percuss_study::headings::{CONTACT, OUTPUT};
-use percuss_study::{CodeQuestion, ConversionQuestion, DampingQuestion, ExportQuestion, JointStop};
+use percuss_study::headings::OUTPUT;
+use percuss_study::{CodeQuestion, ConversionQuestion, DampingQuestion, ExportQuestion};
 
 /// Flags of `percuss generate`.
 #[derive(Debug, Args)]
@@ -41,16 +41,6 @@ pub struct ExportArgs {
     pub contact: ContactArgs,
     #[command(flatten)]
     pub damping: DampingQuestion,
-    /// Stop of a joint instead of a contact: JOINT:lower, JOINT:upper, or JOINT at its position.
-    ///
-    /// Stiffness in N·m/rad and speed in rad/s for a revolute joint.
-    #[arg(
-        long,
-        value_name = "JOINT[:END]",
-        help_heading = CONTACT,
-        conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
-    )]
-    pub limit: Option<JointStop>,
     #[command(flatten)]
     pub export: ExportQuestion,
     /// Format of the report: the impact, and everything changed or lost.

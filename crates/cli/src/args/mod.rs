@@ -60,8 +60,12 @@ pub struct Cli {
 impl Cli {
     /// Command line; the help of a command has the flags that it reads.
     pub fn definition() -> clap::Command {
+        let with_minus = |argument: clap::Arg| match percuss_study::is_number_flag(&argument) {
+            true => argument.allow_hyphen_values(true),
+            false => argument,
+        };
         // Fixed name: on Windows the file name has an extension.
-        mark_unread(Self::command().bin_name("percuss"))
+        mark_unread(Self::command().bin_name("percuss").mut_subcommands(|command| command.mut_args(with_minus)))
     }
 }
 
@@ -283,11 +287,11 @@ impl SweepArgs {
 /// Flags of `percuss init`.
 #[derive(Debug, Args)]
 pub struct InitArgs {
-    #[command(flatten)]
-    pub model: ModelArgs,
     /// Output file of the study; default: stdout.
     #[arg(long, short, value_name = "STUDY.toml")]
     pub output: Option<String>,
+    #[command(flatten)]
+    pub model: ModelArgs,
     #[command(flatten)]
     pub writing: WritingArgs,
 }

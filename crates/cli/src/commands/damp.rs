@@ -46,7 +46,7 @@ pub fn run(args: &DampArgs) -> Result<(), Failure> {
     let contact = &args.contact;
     let report = match (args.mass, &args.mass_from) {
         (Some(mass), None) if !contact.is_given() => damp(&question, mass.0)?,
-        (None, Some(path)) => match &args.limit {
+        (None, Some(path)) => match &question.limit {
             Some(stop) => {
                 let model = args.reading.load(path)?;
                 question.check_units(stop.motion(&model)? == StopMotion::Turn)?;

@@ -242,8 +242,9 @@ fn note_left_out_of_rows(study: &StudyFile, has_rows: bool, contacts: Option<&Co
         );
     }
     if study.tables.sweep.is_some() && study.variants.is_empty() && study.contacts.is_empty() {
-        let of_rows = study.question_of_rows(question).travel;
+        let of_rows = study.question_of_rows(question).pose.travel;
         let left_out: Vec<String> = question
+            .pose
             .travel
             .iter()
             .filter(|travel| !of_rows.contains(travel))

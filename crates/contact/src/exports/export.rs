@@ -85,7 +85,7 @@ pub struct Snippet {
 
 impl Export {
     /// Empty export.
-    pub(super) fn new(tool: Tool) -> Self {
+    pub fn new(tool: Tool) -> Self {
         Self {
             tool,
             parameters: Vec::new(),

@@ -297,7 +297,7 @@ fn are_moments_of_a_body(moments: &[f64; 3]) -> bool {
 
 /// Inertia of a link by name; `None` for a massless link.
 fn find(mechanism: &Mechanism, field: &'static str, name: &str) -> Result<Option<Inertial>, StudyError> {
-    let link = mechanism.find_link(name).map_err(|error| StudyError::input(field, error))?;
+    let link = mechanism.find_link(name).map_err(StudyError::about(field))?;
     Ok(mechanism.link(link).inertial().copied())
 }
 

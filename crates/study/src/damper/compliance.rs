@@ -201,7 +201,7 @@ pub(crate) fn gear_elements(evaluated: &EvaluatedQuestion) -> Result<Vec<LinearE
         }
         let mechanism = pose.mechanism();
         let joint = mechanism.find_joint(name);
-        let joint = joint.map_err(|error| StudyError::input("conditions.gear_stiffness", error))?;
+        let joint = joint.map_err(StudyError::about("conditions.gear_stiffness"))?;
         let kind = mechanism.joint(joint).kind();
         if kind.dofs() != 1 {
             let dofs = kind.dofs();

@@ -33,8 +33,7 @@ impl JointStop {
     /// Joint of the stop, with the kind of its motion. Error: unknown joint, or a joint without a stop.
     fn find<'a>(&self, model: &'a Model) -> Result<(JointId, &'a Joint, StopMotion), StudyError> {
         let mechanism = &model.mechanism;
-        let id =
-            mechanism.find_joint(&self.joint).map_err(|error| StudyError::input("damping.limit", error))?;
+        let id = mechanism.find_joint(&self.joint).map_err(StudyError::about("damping.limit"))?;
         let joint = mechanism.joint(id);
         let motion = stop_motion(joint).ok_or_else(|| self.no_stop(joint))?;
         Ok((id, joint, motion))

@@ -80,27 +80,6 @@ impl ExportRecord {
 
     /// Record of a tool that cannot export the contact.
     pub(crate) fn from_error(tool: Tool, error: &ExportError) -> Self {
-        let facts = tool.facts();
-        Self {
-            title: facts.title,
-            law: facts.law,
-            measured: facts.measured,
-            combines: facts.combines,
-            caution: facts.caution,
-            parameters: BTreeMap::new(),
-            units: BTreeMap::new(),
-            snippet: None,
-            snippets: Vec::new(),
-            time_step: None,
-            error_bound: None,
-            single_precision_error: None,
-            penetrations: Vec::new(),
-            missing: Vec::new(),
-            assumptions: Vec::new(),
-            cannot: Vec::new(),
-            weight_prevents_rebound: false,
-            sources: facts.sources,
-            error: Some(error.to_string()),
-        }
+        Self { error: Some(error.to_string()), ..Self::from_export(&Export::new(tool)) }
     }
 }

@@ -2,7 +2,7 @@
 
 use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::{Fault, StudyError};
-use crate::question::mass_question::{EstimateQuestion, UPWARDS};
+use crate::question::link_points::{EstimateQuestion, UPWARDS};
 use crate::thresholds::{LARGEST_COORDINATE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_dynamics::{ContactResponse, EffectiveMass, PointVelocity, Pose};

@@ -36,6 +36,6 @@ pub(crate) fn thresholds_of(
         return Ok(None);
     }
     let found = percuss_impact::friction_thresholds(&evaluated.pose, response);
-    let refuse = |error| StudyError::input("mass.friction_thresholds", error);
+    let refuse = StudyError::about("mass.friction_thresholds");
     Ok(Some(found.map_err(refuse)?.into()))
 }

@@ -105,8 +105,7 @@ pub(crate) fn ranges(
             }
         };
         let end = |end: Quantity| {
-            end.in_dimension(dimension, &end.to_string())
-                .map_err(|error| StudyError::input("extremes.range", error))
+            end.in_dimension(dimension, &end.to_string()).map_err(StudyError::about("extremes.range"))
         };
         Ok(JointRange { joint, lower: end(given.lower)?, upper: end(given.upper)? })
     };

@@ -3,7 +3,7 @@
 use crate::evaluation::prepared_question::{EvaluatedQuestion, compile};
 use crate::pose::point_travel::reference_link;
 use crate::question::errors::question_error::StudyError;
-use crate::question::mass_question::RatioPoint;
+use crate::question::link_points::RatioPoint;
 use crate::thresholds::{INVERSE_RATIO_TOLERANCE, SHORTEST_DIRECTION};
 use nalgebra::Vector3;
 use percuss_dynamics::{
@@ -45,7 +45,7 @@ pub(crate) fn requested_ratios(
     let mut found = Vec::new();
     for ratio_point in given {
         let link = mechanism.find_link(&ratio_point.link);
-        let link = link.map_err(|error| StudyError::input("contact.ratio_at", error))?;
+        let link = link.map_err(StudyError::about("contact.ratio_at"))?;
         let (point, direction) = (Vector3::from(ratio_point.point), Vector3::from(ratio_point.direction));
         if !(direction.norm() > SHORTEST_DIRECTION && direction.norm().is_finite()) {
             let why = "the direction has no length; expected a vector such as 0,0,1";
@@ -63,7 +63,7 @@ pub(crate) fn requested_ratios(
 /// between both motions in the metric of M.
 pub(crate) fn wheel_ratios(evaluated: &EvaluatedQuestion) -> Vec<MotionRatioRecord> {
     let mechanism = &evaluated.prepared.model.mechanism;
-    let wheels = wheel_points(mechanism, &evaluated.prepared.question.contact.link());
+    let wheels = wheel_points(mechanism, evaluated.prepared.question.contact.link());
     let of_wheels = |pose: &Pose, response: &ContactResponse| -> Vec<MotionRatioRecord> {
         let ratio = |link| ratio(pose, response, link, Vector3::zeros(), Vector3::z());
         wheels.iter().filter_map(|link| ratio(*link)).filter(|ratio| ratio.one_travel).collect()

@@ -98,14 +98,11 @@ impl<'a> PreparedQuestion<'a> {
             resolved.to_mut().positions = Some(pose);
         }
         let question = &*resolved;
-        let find = |field: &'static str, name: &str| {
-            mechanism.find_link(name).map_err(|error| StudyError::input(field, error))
-        };
+        let find =
+            |field: &'static str, name: &str| mechanism.find_link(name).map_err(StudyError::about(field));
         let link = find("contact.link", question.contact.link())?;
         let against = match &question.contact.against {
-            Some(name) => {
-                other_side(mechanism, name).map_err(|error| StudyError::input("contact.against", error))?
-            }
+            Some(name) => other_side(mechanism, name).map_err(StudyError::about("contact.against"))?,
             None => None,
         };
         let normal = question.contact.direction(mechanism)?;
@@ -324,7 +321,7 @@ impl<'a> PreparedQuestion<'a> {
         if self.other_mass().is_some() && response.effective_mass == EffectiveMass::Immovable {
             let message = format!(
                 "the mechanism is immovable at this contact: the result is the mass of the other body alone{}",
-                Field::AgainstMass.hint(names)
+                names.hint("contact.against_mass")
             );
             findings.push(Finding::about_result(FindingKind::ImmovableMechanism, message));
         }
@@ -381,7 +378,7 @@ pub(crate) fn compile(
     skipped: Option<usize>,
 ) -> Result<System, StudyError> {
     let joint = |field: &'static str, name: &str| -> Result<JointId, StudyError> {
-        mechanism.find_joint(name).map_err(|error| StudyError::input(field, error))
+        mechanism.find_joint(name).map_err(StudyError::about(field))
     };
     let base = if floats_already(mechanism) { Base::Fixed } else { question.conditions.base() };
     let mut conditions = Conditions::new().base(base);
@@ -405,7 +402,7 @@ pub(crate) fn compile(
         joint("conditions.gear_stiffness", name)?;
     }
     for (_, hold) in question.hold.iter().enumerate().filter(|(i, _)| Some(*i) != skipped) {
-        mechanism.find_link(&hold.link).map_err(|error| StudyError::input("hold", error))?;
+        mechanism.find_link(&hold.link).map_err(StudyError::about("hold"))?;
         let normal = hold.normal.map(Vector3::from);
         let in_root = |normal| question.base_pose().map_or(normal, |base| base.inverse_vector(&normal));
         conditions = conditions.hold(&hold.link, hold.point, normal.map(in_root));
@@ -445,7 +442,7 @@ pub(crate) fn configuration(
     question: &MassQuestion,
 ) -> Result<Configuration, StudyError> {
     let values = |field: &'static str, joint: &String, given: &GivenPosition| {
-        let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
+        let id = mechanism.find_joint(joint).map_err(StudyError::about(field))?;
         let wrong = |source| StudyError::input(field, Fault::Position { joint: joint.clone(), source });
         let kind = mechanism.joint(id).kind();
         if joint == RACK && kind == JointKind::Fixed && !wheel_centres(mechanism, "").is_empty() {
@@ -464,12 +461,12 @@ pub(crate) fn configuration(
     };
     for (joint, given) in &question.pose.set {
         let values = values("pose.set", joint, given)?;
-        configuration.set(joint, &values).map_err(|error| StudyError::input("pose.set", error))?;
+        configuration.set(joint, &values).map_err(StudyError::about("pose.set"))?;
     }
     let whole = question.positions.as_ref().is_some_and(|file| file.is_complete(mechanism));
     for (joint, given) in question.pose.guess.iter().filter(|_| !whole) {
         let values = values("pose.guess", joint, given)?;
-        configuration.guess(joint, &values).map_err(|error| StudyError::input("pose.guess", error))?;
+        configuration.guess(joint, &values).map_err(StudyError::about("pose.guess"))?;
     }
     if let Some(base) = question.base_pose() {
         configuration.set_base(*base);
@@ -495,7 +492,7 @@ fn from_file(
         return Ok(configuration);
     }
     for joint in file.positions.keys() {
-        mechanism.find_joint(joint).map_err(|error| StudyError::input("pose.file", error))?;
+        mechanism.find_joint(joint).map_err(StudyError::about("pose.file"))?;
     }
     let mut positions = Vec::new();
     for joint in mechanism.joints() {
@@ -510,9 +507,7 @@ fn from_file(
             Some((field, position)) if joint.mimic().is_none() && joint.kind().positions() > 0 => {
                 let position = values(field, &name, &position)?;
                 // `set` rejects a wrong number of values and names the joint.
-                Configuration::zero(mechanism)
-                    .set(&name, &position)
-                    .map_err(|error| StudyError::input(field, error))?;
+                Configuration::zero(mechanism).set(&name, &position).map_err(StudyError::about(field))?;
                 positions.extend(position);
             }
             _ => positions.extend(std::iter::repeat_n(0.0, joint.kind().positions())),

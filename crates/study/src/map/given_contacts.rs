@@ -30,7 +30,7 @@ pub fn given_contact_masses(
     link: &str,
     contacts: &[[f64; 6]],
 ) -> Result<Vec<GivenContact>, StudyError> {
-    let id = model.mechanism.find_link(link).map_err(|error| StudyError::input("contact.link", error))?;
+    let id = model.mechanism.find_link(link).map_err(StudyError::about("contact.link"))?;
     let conditions = question_with_placeholder_contact(model, question);
     let prepared = PreparedQuestion::new(model, &conditions)?;
     let pose = prepared.pose()?;
@@ -39,7 +39,7 @@ pub fn given_contact_masses(
     let reach = points.iter().map(|point| (point - centre).norm()).fold(0.0, f64::max);
     let map = pose
         .contact_map(id, prepared.other_link(), centre, reach)
-        .map_err(|error| StudyError::input("contact.point", error))?;
+        .map_err(StudyError::about("contact.point"))?;
     let other = prepared.other_mass();
     let of_contact = |(point, contact): (&Vector3<f64>, &[f64; 6])| {
         let normal = Vector3::new(contact[3], contact[4], contact[5]);

@@ -91,7 +91,7 @@ pub fn map_point(
     let contact = prepared.contact_at(&pose);
     let map = pose
         .contact_map(contact.link, contact.against, contact.point, 0.0)
-        .map_err(|error| StudyError::input("contact.point", error))?;
+        .map_err(StudyError::about("contact.point"))?;
     let x_wl = pose.link(contact.link);
     let other = prepared.other_mass();
     let alone: Vec<(Vector3<f64>, BatchAnswer)> = (0..directions)

@@ -55,8 +55,7 @@ pub fn map(
         let why = format!("the longest edge is {edge} m; expected a number of at least {LEAST_EDGE:e} m");
         return Err(StudyError::input("map.edge", why));
     }
-    let find =
-        |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input("contact.link", error));
+    let find = |name: &String| mechanism.find_link(name).map_err(StudyError::about("contact.link"));
     let links: Vec<LinkId> = match question.all {
         true => mechanism.link_ids().collect(),
         false => question.link.iter().map(find).collect::<Result<_, _>>()?,

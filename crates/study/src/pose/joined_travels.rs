@@ -227,7 +227,7 @@ pub(crate) fn move_drivers(
     let mut set = configuration.clone().without_guesses();
     for (driver, value) in drivers.iter().zip(at) {
         set.set(from.mechanism().joint(*driver).name(), &[*value])
-            .map_err(|error| StudyError::input("pose.travel", error))?;
+            .map_err(StudyError::about("pose.travel"))?;
     }
     Ok(from.assembly().pose_from(from, &set)?)
 }

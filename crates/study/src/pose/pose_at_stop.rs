@@ -62,11 +62,11 @@ pub fn pose_at_stop(
     })?;
     let mut at_limit = configuration.clone();
     for (joint, position) in &resolved.pose.set[question.pose.set.len()..] {
-        let id = mechanism.find_joint(joint).map_err(|error| StudyError::input("contact.at", error))?;
+        let id = mechanism.find_joint(joint).map_err(StudyError::about("contact.at"))?;
         let refuse =
             |source| StudyError::input("contact.at", Fault::Position { joint: joint.clone(), source });
         let values = position.values_for_joint(mechanism.joint(id).kind()).map_err(refuse)?;
-        at_limit.set(joint, &values).map_err(|error| StudyError::input("contact.at", error))?;
+        at_limit.set(joint, &values).map_err(StudyError::about("contact.at"))?;
     }
     Ok((pose_solver::pose(system, &at_limit, &resolved)?, contact))
 }

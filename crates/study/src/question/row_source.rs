@@ -2,6 +2,7 @@
 
 use crate::question::mass_question::MassQuestion;
 use crate::question::travel::vary::{Varied, Vary};
+use crate::values::value::path_in;
 use std::path::Path;
 
 /// Source of the rows of a sweep.
@@ -79,9 +80,4 @@ impl From<&RowSource> for RowSource {
     fn from(source: &RowSource) -> Self {
         source.clone()
     }
-}
-
-/// Path relative to a folder; an absolute path is kept.
-pub(crate) fn path_in(folder: &Path, path: &str) -> String {
-    folder.join(path).to_string_lossy().into_owned()
 }

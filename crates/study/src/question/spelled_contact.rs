@@ -3,7 +3,8 @@
 
 use crate::question::errors::fault::Fault;
 use crate::question::errors::question_error::StudyError;
-use crate::question::mass_question::{Hold, MassQuestion};
+use crate::question::link_points::Hold;
+use crate::question::mass_question::MassQuestion;
 use crate::question::tables::contact::{ContactTable, FrameName};
 use crate::values::position::GivenPosition;
 use crate::values::quantities::{LinkPoint, Point, Vector};
@@ -205,11 +206,11 @@ impl FurtherContact {
     /// # Errors
     /// Unknown names; the stop of a joint that has several velocities, or none.
     pub(crate) fn resolve(&self, mechanism: &Mechanism, field: &'static str) -> Result<Contact, StudyError> {
-        let find = |name: &String| mechanism.find_link(name).map_err(|error| StudyError::input(field, error));
+        let find = |name: &String| mechanism.find_link(name).map_err(StudyError::about(field));
         let other = |name: &Option<String>| name.as_ref().map(find).transpose();
         match self {
             Self::Named(name) => {
-                let named = mechanism.find_contact(name).map_err(|error| StudyError::input(field, error))?;
+                let named = mechanism.find_contact(name).map_err(StudyError::about(field))?;
                 Ok(Contact::named(named, mechanism.root()))
             }
             Self::Point { link, point, normal, against } => {
@@ -223,7 +224,7 @@ impl FurtherContact {
                 Ok(Contact::cable(find(link)?, *point, find(other)?, *end))
             }
             Self::JointStop { joint, is_upper } => {
-                let id = mechanism.find_joint(joint).map_err(|error| StudyError::input(field, error))?;
+                let id = mechanism.find_joint(joint).map_err(StudyError::about(field))?;
                 let kind = mechanism.joint(id).kind();
                 let no_stop = || StudyError::input(field, Fault::NoStop { joint: joint.clone(), kind });
                 Contact::joint_stop(mechanism, id, *is_upper).ok_or_else(no_stop)
@@ -327,7 +328,7 @@ impl MassQuestion {
                         "the stop of a joint has no free body on the other side",
                     );
                 }
-                let unknown = |error| StudyError::input("contact.at", error);
+                let unknown = StudyError::about("contact.at");
                 let resolved = contact.resolve(mechanism, "contact.at")?;
                 let declared = mechanism.joint(mechanism.find_joint(joint).map_err(unknown)?);
                 let mut question = with(ContactTable::default().with_contact(&resolved, mechanism));

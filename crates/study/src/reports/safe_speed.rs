@@ -364,7 +364,7 @@ fn worst_direction(model: &Model, question: &MassQuestion) -> Result<[f64; 3], S
     let pose = prepared.pose()?;
     let contact = prepared.contact_at(&pose);
     let map = pose.contact_map(contact.link, contact.against, contact.point, 0.0);
-    let map = map.map_err(|error| StudyError::input("contact.point", error))?;
+    let map = map.map_err(StudyError::about("contact.point"))?;
     let weight = |mass: &EffectiveMass| match mass {
         EffectiveMass::Finite(m) => *m,
         EffectiveMass::Immovable => f64::INFINITY,

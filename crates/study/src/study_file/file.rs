@@ -7,7 +7,7 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
 use crate::question::names::Names;
-use crate::question::row_source::{RowSource, path_in};
+use crate::question::row_source::RowSource;
 use crate::question::tables::contact::ContactTable;
 use crate::question::tables::damping::DampingQuestion;
 use crate::question::tables::damping::restitution::RestitutionQuestion;
@@ -28,6 +28,7 @@ use crate::thresholds::{
     LARGEST_STUDY, LARGEST_VARIANTS, LONGEST_LINE_SHOWN, MOST_VARIANT_LINKS, MOST_VARIANTS,
 };
 use crate::values::message_text::truncate_for_message;
+use crate::values::value::path_in;
 use percuss_contact::exports::StopMotion;
 use percuss_formats::{LoadError, LoadOptions, Source};
 use percuss_mechanism::BuildError;
@@ -165,29 +166,17 @@ impl StudyFile {
 
     /// Keys and paths of the output files that the tables name.
     pub fn outputs(&self) -> impl Iterator<Item = (&'static str, String)> {
-        let StudyTables {
-            sweep,
-            damping,
-            identify,
-            response,
-            map,
-            kinematics,
-            generate,
-            convert,
-            export,
-            ..
-        } = &self.tables;
-        let maps = map.iter().flat_map(|asked| &asked.output).map(|file| ("map.output", file));
-        let files = [
-            ("sweep.output", sweep.as_ref().and_then(|asked| asked.output.as_ref())),
-            ("damping.output", damping.as_ref().and_then(|asked| asked.output.as_ref())),
-            ("identify.output", identify.as_ref().and_then(|asked| asked.output.as_ref())),
-            ("response.output", response.as_ref().and_then(|asked| asked.output.as_ref())),
-            ("kinematics.output", kinematics.as_ref().and_then(|asked| asked.output.as_ref())),
-            ("generate.output", generate.as_ref().and_then(|asked| asked.output.as_ref())),
-            ("convert.output", convert.as_ref().and_then(|asked| asked.output.as_ref())),
-            ("export.output", export.as_ref().and_then(|asked| asked.output.as_ref())),
-        ];
+        let tables = &self.tables;
+        let maps = tables.map.iter().flat_map(|asked| &asked.output).map(|file| ("map.output", file));
+        macro_rules! files {
+            ($($table:ident)*) => {
+                [$((
+                    concat!(stringify!($table), ".output"),
+                    tables.$table.as_ref().and_then(|asked| asked.output.as_ref()),
+                )),*]
+            };
+        }
+        let files = files!(sweep damping identify response kinematics generate convert export);
         let files = files.into_iter().filter_map(|(key, file)| Some((key, file?)));
         files.chain(maps).map(|(key, file)| (key, file.clone()))
     }
@@ -358,32 +347,29 @@ impl StudyReader<'_> {
         // Parsing cannot fail here: the same text has been parsed before.
         let panels = toml::from_slice(&source.bytes).unwrap_or_default();
         let page = PageTables { panels, ..PageTables::from_text(&study, contact, folder) };
-        let sweep = study.sweep.take().map(|asked| asked.checked(Vec::new(), folder, max_size));
-        study.sweep = sweep.transpose().map_err(refused)?;
+        macro_rules! check {
+            ($table:ident, $($argument:expr),*) => {
+                let checked = study.$table.take().map(|asked| asked.checked($($argument),*));
+                study.$table = checked.transpose().map_err(refused)?;
+            };
+        }
+        check!(sweep, Vec::new(), folder, max_size);
         study.damping = self.damping(&study, &model, &question, folder)?;
-        let map = study.map.take().map(|asked| asked.checked(&question, folder));
-        study.map = map.transpose().map_err(refused)?;
+        check!(map, &question, folder);
         study.restitution.as_ref().map_or(Ok(()), RestitutionQuestion::check).map_err(refused)?;
-        let identify = study.identify.take().map(|asked| asked.checked(folder));
-        study.identify = identify.transpose().map_err(refused)?;
-        let response = study.response.take().map(|asked| asked.checked(folder));
-        study.response = response.transpose().map_err(refused)?;
+        check!(identify, folder);
+        check!(response, folder);
         study.impact.as_ref().map_or(Ok(()), ImpactQuestion::check).map_err(refused)?;
-        let extremes = study.extremes.take().map(|asked| asked.checked(Vec::new(), folder, max_size));
-        study.extremes = extremes.transpose().map_err(refused)?;
-        let kinematics = study.kinematics.take().map(|asked| asked.checked(&question, folder));
-        study.kinematics = kinematics.transpose().map_err(refused)?;
+        check!(extremes, Vec::new(), folder, max_size);
+        check!(kinematics, &question, folder);
         if let Some(asked) = &mut study.targets {
             TargetSearch::of_table(asked, None).map_err(refused)?;
             asked.question.vehicle = study.kinematics.as_ref().map(|asked| asked.vehicle).unwrap_or_default();
             asked.question.set_state(&question, None);
         }
-        let generate = study.generate.take().map(|asked| asked.checked(folder));
-        study.generate = generate.transpose().map_err(refused)?;
-        let convert = study.convert.take().map(|asked| asked.checked(folder));
-        study.convert = convert.transpose().map_err(refused)?;
-        let export = study.export.take().map(|asked| asked.checked(folder));
-        study.export = export.transpose().map_err(refused)?;
+        check!(generate, folder);
+        check!(convert, folder);
+        check!(export, folder);
         let without_file = [
             ("convert.output", study.convert.as_ref().is_some_and(|asked| asked.output.is_none())),
             ("export.output", study.export.as_ref().is_some_and(|asked| asked.output.is_none())),

@@ -2,7 +2,7 @@
 
 use super::text::StudyTables;
 use super::variant::{VariantText, replace_by_name};
-use crate::question::mass_question::Hold;
+use crate::question::link_points::Hold;
 use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
 use crate::question::tables::model::ModelTable;
 use serde::{Deserialize, Serialize};

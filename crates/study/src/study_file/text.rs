@@ -1,7 +1,8 @@
 //! Text of a study file: all tables. The doc comments are the descriptions in the JSON schema and in the help of the flags.
 
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::mass_question::{Hold, MassQuestion};
+use crate::question::link_points::Hold;
+use crate::question::mass_question::MassQuestion;
 use crate::question::names::Names;
 use crate::question::tables::contact::{ConditionsTable, ContactTable, PoseTable};
 use crate::question::tables::damping::DampingQuestion;

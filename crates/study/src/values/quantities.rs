@@ -4,6 +4,8 @@ use crate::values::value::NumberOrText;
 use percuss_units::{Dimension, Quantity, QuantityError, parse_triple};
 use schemars::JsonSchema;
 use serde::{Deserialize, Deserializer, Serialize};
+#[cfg(feature = "flags")]
+use std::any::TypeId;
 use std::str::FromStr;
 
 /// Gives a type the JSON schema of the type from which it is converted, or as which it is serialized.
@@ -259,4 +261,31 @@ pub(crate) fn vector<'de, D: Deserializer<'de>>(from: D) -> Result<[f64; 3], D::
 /// Reads a vector of an optional key, without a unit.
 pub(crate) fn some_vector<'de, D: Deserializer<'de>>(from: D) -> Result<Option<[f64; 3]>, D::Error> {
     vector(from).map(Some)
+}
+
+/// True for a flag whose value is a number or three numbers, and may begin with a minus sign.
+#[cfg(feature = "flags")]
+pub fn is_number_flag(argument: &clap::Arg) -> bool {
+    let of_value = argument.get_value_parser().type_id();
+    let is_of = |number: TypeId| of_value == number;
+    [
+        TypeId::of::<Area>(),
+        TypeId::of::<Damping>(),
+        TypeId::of::<Energy>(),
+        TypeId::of::<Force>(),
+        TypeId::of::<Length>(),
+        TypeId::of::<Mass>(),
+        TypeId::of::<Momentum>(),
+        TypeId::of::<Plain>(),
+        TypeId::of::<Point>(),
+        TypeId::of::<PositiveMass>(),
+        TypeId::of::<Pressure>(),
+        TypeId::of::<Ratio>(),
+        TypeId::of::<Speed>(),
+        TypeId::of::<Stiffness>(),
+        TypeId::of::<Time>(),
+        TypeId::of::<Vector>(),
+    ]
+    .into_iter()
+    .any(is_of)
 }

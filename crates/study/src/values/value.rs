@@ -9,6 +9,7 @@ use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt::Display;
+use std::path::Path;
 use std::str::FromStr;
 
 /// A number in SI units, or text with a unit.
@@ -74,6 +75,11 @@ pub(crate) enum Words {
     Many(Vec<String>),
 }
 
+/// Path relative to a folder; an absolute path is kept.
+pub(crate) fn path_in(folder: &Path, path: &str) -> String {
+    folder.join(path).to_string_lossy().into_owned()
+}
+
 /// Reads one value or several.
 pub(crate) fn one_or_many<'de, D: Deserializer<'de>, T: Deserialize<'de>>(
     from: D,
@@ -127,6 +133,26 @@ pub(crate) fn positions<'de, D: Deserializer<'de>>(
         Ok((joint, position))
     };
     BTreeMap::<String, PositionText>::deserialize(from)?.into_iter().map(given).collect()
+}
+
+/// Values by name, as a table.
+pub(crate) mod named_values {
+    pub(crate) use super::{by_name as deserialize, by_name_entries as serialize};
+}
+
+/// Armatures by joint, as a table.
+pub(crate) mod named_armatures {
+    pub(crate) use super::{armatures as deserialize, by_name_entries as serialize};
+}
+
+/// Positions by joint, as a table of texts.
+pub(crate) mod named_positions {
+    pub(crate) use super::{by_name_texts as serialize, positions as deserialize};
+}
+
+/// Words, as a list of texts.
+pub(crate) mod text_list {
+    pub(crate) use super::{texts as serialize, words as deserialize};
 }
 
 /// Writes values as a list of texts.

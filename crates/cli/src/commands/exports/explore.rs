@@ -11,7 +11,9 @@ use base64::engine::general_purpose::STANDARD;
 use percuss_explorer::{ENGINE, PageContent, page};
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadError, LoadOptions, Source};
 use percuss_render::MADE_BY;
-use percuss_study::{Model, ModelTable, Names, PageTables, SceneShapes, StudyFile, mass, scene_shapes};
+use percuss_study::{
+    MassQuestion, Model, ModelTable, Names, PageTables, SceneShapes, StudyFile, mass, scene_shapes,
+};
 use serde_json::json;
 use std::collections::BTreeMap;
 use std::path::Path;
@@ -144,8 +146,8 @@ fn check_question(tables: &PageTables, model: &Model) -> Result<(), Failure> {
     if contact.is_empty() {
         return Ok(());
     }
-    let question = contact
-        .question(pose, conditions, hold, Path::new(""), DEFAULT_MAX_SIZE, Names::Flags)
+    let question = MassQuestion::of_tables(contact, pose, conditions, hold, Names::Flags)
+        .checked(Path::new(""), DEFAULT_MAX_SIZE)
         .map_err(|error| Failure::bad_input(error.message(Names::Flags)))?;
     match mass(model, &question) {
         Err(error) if !error.has_no_result() => Err(error.into()),

@@ -11,7 +11,7 @@ use crate::terminal::report::{write_diagnostics, write_json, write_text};
 use crate::terminal::text::shell_quoted;
 use crate::terminal::wrap::fact_line;
 use percuss_study::contact::exports::StopMotion;
-use percuss_study::{DampingQuestion, ExportReport, ImpactExportError, export};
+use percuss_study::{ExportReport, ImpactExportError, export};
 use std::path::Path;
 
 /// Runs the command.
@@ -19,11 +19,11 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
     args.writing.apply();
     let conversion = args.export.conversion()?;
     let has_damping = args.damping.restitution.is_some() || !args.damping.tools.is_empty();
-    if !args.contact.is_given() && args.limit.is_none() && !has_damping {
+    if !args.contact.is_given() && args.damping.limit.is_none() && !has_damping {
         return convert(&args.model, &conversion, args.format);
     }
     let asked = args.export.checked(Path::new(""))?;
-    let contact = match &args.limit {
+    let contact = match &args.damping.limit {
         Some(_) => args.contact.conditions()?,
         None => args.contact.question()?,
     };
@@ -33,12 +33,11 @@ pub fn run(args: &ExportArgs) -> Result<(), Failure> {
              both. Omit the contact to write the mechanism alone",
         ));
     };
-    let damping = DampingQuestion { limit: args.limit.clone(), ..damping.clone() };
     asked.files().iter().try_for_each(|path| check_writable(path))?;
     let model = args.model.load()?;
     model.inputs.iter().for_each(|input| record_input(&input.path));
     refuse_warnings(&model, args.model.reading.strict)?;
-    let mut report = export(&model, &contact, &damping, &asked)?;
+    let mut report = export(&model, &contact, damping, &asked)?;
     write_diagnostics(&report.diagnostics, args.model.reading.strict)?;
     write_files(&mut report)?;
     match args.format {

@@ -120,6 +120,11 @@ impl StudyError {
         StudyError::Input { field, fault: Box::new(fault.into()) }
     }
 
+    /// Conversion of a fault to an error about one part of the question.
+    pub(crate) fn about<F: Into<Fault>>(field: &'static str) -> impl Fn(F) -> Self {
+        move |fault| Self::input(field, fault)
+    }
+
     /// Same error about another part of the question.
     pub(crate) fn with_field(self, replace: impl Fn(&'static str) -> &'static str) -> Self {
         match self {

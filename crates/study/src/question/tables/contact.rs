@@ -4,7 +4,7 @@
 use super::headings::{ADDITIONAL, CONDITIONS, CONTACT, POSE};
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::mass_question::{EstimateQuestion, RatioPoint};
+use crate::question::link_points::{EstimateQuestion, RatioPoint};
 use crate::question::travel::given_travel::GivenTravel;
 use crate::values::drives::{self, GivenSpring};
 #[cfg(feature = "flags")]
@@ -112,16 +112,13 @@ pub struct ContactTable {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub link: Option<String>,
     /// Contact point (m).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z"))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub point: Option<Point>,
     /// Contact normal, out of the contact link.
     ///
     /// The normal points into the other body. Its length and its sign do not affect the effective mass.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, conflicts_with = "along_line")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z", conflicts_with = "along_line"))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub normal: Option<Vector>,
     /// Instead of a point and a normal: a moment about an axis. The result is an inertia, kg·m².
@@ -133,7 +130,6 @@ pub struct ContactTable {
         arg(
             long,
             value_name = "X,Y,Z",
-            allow_hyphen_values = true,
             conflicts_with_all = ["point", "normal", "along_line", "against_mass", "estimate"]
         )
     )]
@@ -175,10 +171,7 @@ pub struct ContactTable {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against: Option<String>,
     /// Mass (kg) of a free body as the other side of the contact.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "KG", allow_hyphen_values = true, conflicts_with = "against")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", conflicts_with = "against"))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub against_mass: Option<PositiveMass>,
     /// Classical estimate, shown with the result.
@@ -213,11 +206,7 @@ pub struct PoseTable {
         feature = "flags",
         arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position)
     )]
-    #[serde(
-        deserialize_with = "value::positions",
-        serialize_with = "value::by_name_texts",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(with = "value::named_positions", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: Vec<(String, GivenPosition)>,
     /// Initial guess of a joint that depends on other joints through loops; selects the assembly mode.
@@ -225,11 +214,7 @@ pub struct PoseTable {
         feature = "flags",
         arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position)
     )]
-    #[serde(
-        deserialize_with = "value::positions",
-        serialize_with = "value::by_name_texts",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(with = "value::named_positions", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub guess: Vec<(String, GivenPosition)>,
     /// Move the mechanism until a point has this travel.
@@ -237,11 +222,7 @@ pub struct PoseTable {
     /// The point of a link (m, link frame) moves by DISTANCE along a direction (world axes) from its position in the
     /// set pose, as in a sweep over a travel. Give one travel for each driven point.
     #[cfg_attr(feature = "flags", arg(long, value_name = "LINK:X,Y,Z:DX,DY,DZ=DISTANCE"))]
-    #[serde(
-        deserialize_with = "value::words",
-        serialize_with = "value::texts",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(with = "value::text_list", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "Option<Words>")]
     pub travel: Vec<GivenTravel>,
     /// Complete configuration: output of --format json, JSON with a position for each joint, or the name of a pose of the model
@@ -268,11 +249,7 @@ pub struct ConditionsTable {
         feature = "flags",
         arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, alias = "gear")
     )]
-    #[serde(
-        deserialize_with = "value::armatures",
-        serialize_with = "value::by_name_entries",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(with = "value::named_armatures", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub armature: Vec<(String, Vec<f64>)>,
     /// Stiffness, and damping if given, of the gear between the rotor of a joint and the joint: K or K,D.
@@ -439,9 +416,7 @@ impl ContactTable {
                 None => Direction::Along(self.normal.unwrap_or_default().0.into(), self.normal_frame()),
             });
         };
-        let link = mechanism
-            .find_link(&line.link)
-            .map_err(|error| StudyError::input("contact.along_line", error))?;
+        let link = mechanism.find_link(&line.link).map_err(StudyError::about("contact.along_line"))?;
         let direction = match (self.cable, self.turning_normal) {
             (true, _) => Direction::TurningAwayFrom,
             (_, true) => Direction::TurningToward,

@@ -4,7 +4,7 @@
 use super::headings::OUTPUT;
 use crate::model::loading::Model;
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::row_source::path_in;
+use crate::values::value::path_in;
 use percuss_generate::{Additions, Language};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};

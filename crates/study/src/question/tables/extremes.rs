@@ -4,7 +4,7 @@ use super::damping::{DampingQuestion, LawName, SeparationName};
 #[cfg(feature = "flags")]
 use super::headings::{ANSWER, IMPACT};
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::mass_question::triples;
+use crate::question::link_points::triples;
 use crate::question::row_source::{PositionFile, RowSource};
 use crate::question::travel::vary::Vary;
 use crate::values::quantities::{Plain, Ratio, Speed, Stiffness};
@@ -237,28 +237,16 @@ pub struct ExtremesQuestion {
     #[schemars(with = "Option<String>")]
     pub quantity: Option<GivenQuantity>,
     /// Stiffness of the contact (N/m; 200N/mm), for peak:JOINT.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "K", allow_hyphen_values = true, help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "K", help_heading = IMPACT))]
     pub stiffness: Option<Stiffness>,
     /// Coefficient of restitution, from 0 to 1, for peak:JOINT.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "E", allow_hyphen_values = true, help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "E", help_heading = IMPACT))]
     pub restitution: Option<Ratio>,
     /// Closing speed (m/s, km/h; rad/s for a moment), for peak:JOINT.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "V", allow_hyphen_values = true, help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "V", help_heading = IMPACT))]
     pub speed: Option<Speed>,
     /// Exponent p of the spring force k x^p, for peak:JOINT.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness", help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", requires = "stiffness", help_heading = IMPACT))]
     pub exponent: Option<Plain>,
     /// Contact law (damp --list-laws), for peak:JOINT.
     #[cfg_attr(
@@ -279,16 +267,13 @@ pub struct ExtremesQuestion {
     ///
     /// Branch and bound over the ranges with interval arithmetic: trees, and loops along one or two ranges. The report gives the best
     /// proved bounds if the number of boxes is not sufficient. With stiffness and speed also a bound of the peak force v √(k m̄).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "TOLERANCE", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "TOLERANCE"))]
     pub certify: Option<Ratio>,
     /// Largest number of boxes of each proof; default 200000.
     #[cfg_attr(feature = "flags", arg(long, value_name = "N", requires = "certify"))]
     pub boxes: Option<u32>,
     /// Relative tolerance of all masses, moments of inertia and rotor inertias in the proof, such as 1%.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "RATIO", allow_hyphen_values = true, requires = "certify")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "RATIO", requires = "certify"))]
     pub mass_tolerance: Option<Ratio>,
     /// Number of starts of the search; default 32.
     #[cfg_attr(

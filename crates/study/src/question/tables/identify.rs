@@ -3,9 +3,8 @@
 #[cfg(feature = "flags")]
 use super::headings::{DAMPER, IMPACT, OUTPUT, READING};
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::row_source::path_in;
 use crate::values::quantities::{Length, Plain, Speed};
-use crate::values::value::{self, Words};
+use crate::values::value::{self, Words, path_in};
 use percuss_contact::identification::{DamperForm, Known};
 use percuss_units::Dimension;
 use schemars::JsonSchema;
@@ -59,29 +58,17 @@ pub struct IdentifyQuestion {
     #[schemars(with = "Option<Words>")]
     pub columns: Vec<String>,
     /// Sampling rate of files without a column of the time (Hz).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "HZ", allow_hyphen_values = true, help_heading = READING)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "HZ", help_heading = READING))]
     pub rate: Option<Plain>,
     /// Known approach speed of all impacts, or of each file, separated by commas (m/s); default: identified.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "V", value_delimiter = ',', allow_hyphen_values = true, help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "V", value_delimiter = ',', help_heading = IMPACT))]
     #[serde(deserialize_with = "value::one_or_many")]
     #[schemars(with = "Option<value::OneOrMany<value::NumberOrText>>")]
     pub speed: Vec<Speed>,
     /// Height of a free fall onto the contact (m): gives the speed, and the weight acts.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "H",
-            allow_hyphen_values = true,
-            conflicts_with = "speed",
-            help_heading = IMPACT
-        )
+        arg(long, value_name = "H", conflicts_with = "speed", help_heading = IMPACT)
     )]
     pub drop: Option<Length>,
     /// The weight acts along the motion, as on a falling body; --gravity=0: it does not (m/s²; 9.80665).
@@ -93,25 +80,18 @@ pub struct IdentifyQuestion {
             num_args = 0..=1,
             require_equals = true,
             default_missing_value = "9.80665",
-            allow_hyphen_values = true,
             help_heading = IMPACT
         )
     )]
     pub gravity: Option<Plain>,
     /// Known exponent p of the spring force k x^p; default: identified.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, help_heading = DAMPER)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", help_heading = DAMPER))]
     pub exponent: Option<Plain>,
     /// Form of the damper; default: the form that is nearer to the data.
     #[cfg_attr(feature = "flags", arg(long, value_enum, help_heading = DAMPER))]
     pub damper: Option<DamperFormName>,
     /// Channel frequency class of the filter that the data have passed (SAE J211), such as 600.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "CFC", allow_hyphen_values = true, help_heading = READING)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "CFC", help_heading = READING))]
     pub filter: Option<Plain>,
     /// Data and fit over time: .csv .xlsx .parquet .svg .png .pdf
     #[cfg_attr(feature = "flags", arg(long, short, value_name = "FILE", help_heading = OUTPUT))]

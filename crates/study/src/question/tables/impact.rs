@@ -97,8 +97,7 @@ pub struct ImpactQuestion {
         arg(
             long,
             value_name = "E",
-            required_unless_present_any = ["reflected", "damping", "hunt_crossley", "loss_factor"],
-            allow_hyphen_values = true
+            required_unless_present_any = ["reflected", "damping", "hunt_crossley", "loss_factor"]
         )
     )]
     #[schemars(required)]
@@ -109,23 +108,13 @@ pub struct ImpactQuestion {
     /// exponent p the number is in N·s/m^((p+1)/2).
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "C",
-            allow_hyphen_values = true,
-            conflicts_with_all = ["restitution", "law", "reach"]
-        )
+        arg(long, value_name = "C", conflicts_with_all = ["restitution", "law", "reach"])
     )]
     pub damping: Option<Damping>,
     /// Dissipation of the contact, in place of a restitution: d of k x^p (1 + d v), or of a force curve (s/m).
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "D",
-            allow_hyphen_values = true,
-            conflicts_with_all = ["restitution", "damping", "law", "reach"]
-        )
+        arg(long, value_name = "D", conflicts_with_all = ["restitution", "damping", "law", "reach"])
     )]
     pub hunt_crossley: Option<Plain>,
     /// Loss factor of the contact, in place of a restitution: η of F (1 + (π/2) η sgn v), F = k x^p or a force curve.
@@ -136,7 +125,6 @@ pub struct ImpactQuestion {
         arg(
             long,
             value_name = "ETA",
-            allow_hyphen_values = true,
             conflicts_with_all = ["restitution", "damping", "hunt_crossley", "law", "reach"]
         )
     )]
@@ -145,13 +133,13 @@ pub struct ImpactQuestion {
     ///
     /// Without rates, the motion of least energy with this speed is assumed. With rates, the speed follows from them; a given
     /// speed must agree, unless the other side is a free body.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "V", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "V"))]
     pub speed: Option<Speed>,
     /// Coefficient of friction (Coulomb).
     ///
     /// The restitution is the energetic one of Stronge (--restitution-law). Sliding, sticking and jamming are found; the sliding
     /// before the impact is that of the rates. Reactions include the friction.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "MU", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "MU"))]
     pub friction: Option<Plain>,
     /// Law of restitution with friction: energetic, poisson, newton, algebraic.
     ///
@@ -207,7 +195,7 @@ pub struct ImpactQuestion {
     /// Stiffness of the contact (N/m; 200N/mm): adds peak forces of all bearings.
     ///
     /// Default: the force curve of the stop in a suspension sheet, if any. Peak force of a bearing: its reaction per impulse of the contact, times the peak force of the contact.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "K"))]
     pub stiffness: Option<Stiffness>,
     /// Table of deflection and force of the contact, in place of a stiffness.
     ///
@@ -224,10 +212,7 @@ pub struct ImpactQuestion {
     )]
     pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", requires = "stiffness"))]
     pub exponent: Option<Plain>,
     /// Contact law (damp --list-laws); default: kelvin-voigt, on a force curve hunt-crossley.
     #[cfg_attr(feature = "flags", arg(long, value_name = "NAME"))]

@@ -2,14 +2,13 @@
 
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
-use crate::question::row_source::path_in;
 #[cfg(feature = "flags")]
 use crate::question::tables::headings::VEHICLE;
 use crate::question::travel::given_travel::{GivenTravel, GivenTravelError};
 use crate::question::travel::moved::{Moved, WheelMotion};
 use crate::question::travel::vary::{Vary, VaryError};
 use crate::values::quantities::{Length, PositiveMass, Ratio, Speed, Stiffness};
-use crate::values::value::NumberOrText;
+use crate::values::value::{NumberOrText, path_in};
 use percuss_mechanism::JointKind;
 use percuss_suspension::kinematics::{ComplianceLoads, LoadedWheels, RACK, Vehicle};
 use percuss_units::{Dimension, Quantity};

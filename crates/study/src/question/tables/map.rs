@@ -4,13 +4,12 @@
 use super::headings::{OUTPUT, READING, SURFACE};
 use crate::question::errors::refusal::InvalidKey;
 use crate::question::mass_question::MassQuestion;
-use crate::question::row_source::path_in;
 use crate::question::tables::contact::ContactTable;
 use crate::question::tables::sweep::{DecimalSign, StudyTable, TableUnit};
 #[cfg(feature = "flags")]
 use crate::values::named;
 use crate::values::quantities::{Length, Point};
-use crate::values::value::{self, Words};
+use crate::values::value::{self, Words, path_in};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::collections::BTreeMap;

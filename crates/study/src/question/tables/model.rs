@@ -78,12 +78,7 @@ pub struct ModelTable {
         feature = "flags",
         arg(long, value_name = "LINK=KG", value_parser = named::link_mass, allow_hyphen_values = true)
     )]
-    #[serde(
-        default,
-        deserialize_with = "value::by_name",
-        serialize_with = "value::by_name_entries",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(default, with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Mass>")]
     pub link_mass: Vec<(String, Mass)>,
     /// Change the centre of mass of a link (m, link frame).
@@ -91,12 +86,7 @@ pub struct ModelTable {
         feature = "flags",
         arg(long, value_name = "LINK=X,Y,Z", value_parser = named::link_com, allow_hyphen_values = true)
     )]
-    #[serde(
-        default,
-        deserialize_with = "value::by_name",
-        serialize_with = "value::by_name_entries",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(default, with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub link_com: Vec<(String, Point)>,
     /// Change the moments of inertia of a link about its centre of mass (kg·m²).
@@ -112,12 +102,7 @@ pub struct ModelTable {
             allow_hyphen_values = true
         )
     )]
-    #[serde(
-        default,
-        deserialize_with = "value::by_name",
-        serialize_with = "value::by_name_entries",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(default, with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Moments>")]
     pub link_inertia: Vec<(String, Moments)>,
     /// Shift a hardpoint of a suspension sheet (m; 5mm).
@@ -132,13 +117,7 @@ pub struct ModelTable {
             allow_hyphen_values = true
         )
     )]
-    #[serde(
-        default,
-        rename = "move",
-        deserialize_with = "value::by_name",
-        serialize_with = "value::by_name_entries",
-        skip_serializing_if = "Vec::is_empty"
-    )]
+    #[serde(default, rename = "move", with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub moves: Vec<(String, Point)>,
     /// Accept a model in spite of this finding.

@@ -3,9 +3,8 @@
 #[cfg(feature = "flags")]
 use super::headings::{OUTPUT, ROWS};
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::row_source::path_in;
 use crate::thresholds::FREQUENCIES;
-use crate::values::value::NumberOrText;
+use crate::values::value::{NumberOrText, path_in};
 use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 use std::path::Path;

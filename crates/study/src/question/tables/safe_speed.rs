@@ -49,58 +49,35 @@ pub struct SafeSpeedQuestion {
     #[cfg_attr(feature = "flags", arg(long, value_name = "NAME"))]
     pub region: Option<String>,
     /// Largest permitted force (N), from the standard.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "F", allow_hyphen_values = true, conflicts_with = "pressure")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "F", conflicts_with = "pressure"))]
     pub force: Option<Force>,
     /// Largest pressure (N/cm²), with an area.
     ///
     /// The value is given by the standard. Units: N/cm2, N/mm2, MPa.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "area")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", requires = "area"))]
     pub pressure: Option<Pressure>,
     /// Contact area (cm², mm2), for a pressure.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "A", allow_hyphen_values = true, requires = "pressure")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "A", requires = "pressure"))]
     pub area: Option<Area>,
     /// Largest energy of the impact (J): 1/2 μ v².
     ///
     /// The value is given by the standard. Without a region, μ is the effective mass of the robot.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "E",
-            allow_hyphen_values = true,
-            conflicts_with_all = ["force", "pressure", "momentum"]
-        )
+        arg(long, value_name = "E", conflicts_with_all = ["force", "pressure", "momentum"])
     )]
     pub energy: Option<Energy>,
     /// Largest exchanged momentum (N·s): μ v.
     ///
     /// The value is given by the standard.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, conflicts_with_all = ["force", "pressure"])
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", conflicts_with_all = ["force", "pressure"]))]
     pub momentum: Option<Momentum>,
     /// Directions (world axes); the slowest counts.
     ///
     /// They replace the normal; the lowest speed is the result.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "X,Y,Z",
-            allow_hyphen_values = true,
-            conflicts_with_all = ["normal", "along_line"],
-            help_heading = WHICH
-        )
+        arg(long, value_name = "X,Y,Z", conflicts_with_all = ["normal", "along_line"], help_heading = WHICH)
     )]
     pub direction: Vec<Vector>,
     /// Direction with the largest effective mass.
@@ -149,19 +126,13 @@ pub struct SafeSpeedQuestion {
     /// Prove a speed for all positions in the ranges, within a relative tolerance of the mass, such as 2%.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "TOLERANCE",
-            allow_hyphen_values = true,
-            requires = "range",
-            help_heading = WHICH
-        )
+        arg(long, value_name = "TOLERANCE", requires = "range", help_heading = WHICH)
     )]
     pub certify: Option<Ratio>,
     /// Load that is missing in the model (kg); default 0.
     ///
     /// Load and tool: a point mass at the contact, and m_L in the standard's M/2 + m_L.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG"))]
     pub load: Option<Mass>,
     /// Rows of positions in place of `input`; the slowest row counts.
     #[cfg_attr(feature = "flags", arg(skip))]

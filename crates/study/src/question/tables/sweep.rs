@@ -3,9 +3,9 @@
 #[cfg(feature = "flags")]
 use super::headings::{OUTPUT, ROWS};
 use crate::question::errors::refusal::InvalidKey;
-use crate::question::row_source::{PositionFile, RowSource, path_in};
+use crate::question::row_source::{PositionFile, RowSource};
 use crate::question::travel::vary::Vary;
-use crate::values::value::{self, Words};
+use crate::values::value::{self, Words, path_in};
 use percuss_formats::DEFAULT_MAX_SIZE;
 use schemars::JsonSchema;
 use serde::Deserialize;

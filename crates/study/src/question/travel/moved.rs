@@ -156,7 +156,7 @@ impl Moved {
     ) -> Result<Vec<MovedPoint>, StudyError> {
         match self {
             Moved::Point { link, point, direction } => {
-                let link = mechanism.find_link(link).map_err(|error| StudyError::input(field, error))?;
+                let link = mechanism.find_link(link).map_err(StudyError::about(field))?;
                 let [point, direction] = [*point, *direction].map(Vector3::from);
                 Ok(vec![MovedPoint { link, point, direction, distance }])
             }

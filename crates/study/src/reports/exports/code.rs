@@ -75,13 +75,12 @@ pub fn generate_code(
     let mechanism = &model.mechanism;
     let mut armatures = Vec::new();
     for (joint, values) in &question.conditions.armature {
-        let id =
-            mechanism.find_joint(joint).map_err(|error| StudyError::input("conditions.armature", error))?;
+        let id = mechanism.find_joint(joint).map_err(StudyError::about("conditions.armature"))?;
         armatures.push((id, values.clone()));
     }
     let mut holds = Vec::new();
     for hold in &question.hold {
-        let link = mechanism.find_link(&hold.link).map_err(|error| StudyError::input("hold", error))?;
+        let link = mechanism.find_link(&hold.link).map_err(StudyError::about("hold"))?;
         holds.push(HeldPoint { link, point: hold.point.into(), normal: hold.normal.map(Vector3::from) });
     }
     let request = Request {

@@ -354,8 +354,7 @@ fn not_written(condition: &'static str, remedy: &str) -> StudyError {
 /// Range of a joint whose end is its position at the stop. The other end is the other limit, or far away.
 fn limit(evaluated: &EvaluatedQuestion<'_>, stop: &JointStop) -> Result<ImpactContact, ImpactExportError> {
     let mechanism = evaluated.pose.mechanism();
-    let joint =
-        mechanism.find_joint(&stop.joint).map_err(|error| StudyError::input("damping.limit", error))?;
+    let joint = mechanism.find_joint(&stop.joint).map_err(StudyError::about("damping.limit"))?;
     let at = evaluated.pose.joint(joint)[0];
     let limits = mechanism.joint(joint).limits();
     let far = |limit: Option<f64>, toward: f64| {

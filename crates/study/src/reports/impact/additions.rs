@@ -111,10 +111,10 @@ pub(crate) fn percussion(
             Some(direction) => centre_of_percussion(pose, contact, bearing, direction.into()),
             None => centre_of_percussion_in_plane(pose, contact, bearing),
         };
-        let found = found.map_err(|error| StudyError::input("impact.percussion", error))?;
+        let found = found.map_err(StudyError::about("impact.percussion"))?;
         let worst =
             question.point_error.map(|radius| worst_reaction_within(pose, contact, bearing, radius.0));
-        let worst = worst.transpose().map_err(|error| StudyError::input("impact.point_error", error))?;
+        let worst = worst.transpose().map_err(StudyError::about("impact.point_error"))?;
         Ok(PercussionRecord {
             worst_ratio: worst.as_ref().map(|worst| worst.worst_reaction),
             worst_point_link: worst.as_ref().map(|worst| worst.point.into()),

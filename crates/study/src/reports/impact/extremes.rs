@@ -390,8 +390,7 @@ impl ExtremesSearch<'_> {
         let mechanism = &self.prepared.model.mechanism;
         let mut points = Vec::new();
         for keep in &self.question.keep {
-            let link =
-                mechanism.find_link(&keep.link).map_err(|error| StudyError::input("extremes.keep", error))?;
+            let link = mechanism.find_link(&keep.link).map_err(StudyError::about("extremes.keep"))?;
             match keep.point {
                 None => points.extend(KeptPoint::of_link(link, mechanism.characteristic_length())),
                 Some(point) => {

@@ -42,11 +42,10 @@ pub(crate) fn mass_states(evaluated: &EvaluatedQuestion) -> Result<Vec<MassState
     let response = |pose: &Pose| -> Result<[EffectiveMass; 2], StudyError> {
         let found = pose.respond(&evaluated.contact)?;
         let sticking = held_point_mass(pose, &found.contact);
-        Ok([found.effective_mass, sticking.map_err(|error| StudyError::input("contact.link", error))?])
+        Ok([found.effective_mass, sticking.map_err(StudyError::about("contact.link"))?])
     };
     let located = &evaluated.result.response.contact;
-    let locked =
-        locked_body_masses(pose, located).map_err(|error| StudyError::input("contact.link", error))?;
+    let locked = locked_body_masses(pose, located).map_err(StudyError::about("contact.link"))?;
     let decoupled = response(&changed_pose(evaluated, &decoupled)?)?;
     let all =
         [("rotors-decoupled", decoupled), ("rotors-coupled", response(pose)?), ("joints-locked", locked)];
@@ -68,8 +67,8 @@ pub(crate) fn mass_states(evaluated: &EvaluatedQuestion) -> Result<Vec<MassState
 fn changed_pose(evaluated: &EvaluatedQuestion, question: &MassQuestion) -> Result<Pose, StudyError> {
     let EvaluatedQuestion { prepared, pose, .. } = evaluated;
     let mechanism = &prepared.model.mechanism;
-    let mut positions = Configuration::from_positions(mechanism, pose.positions())
-        .map_err(|error| StudyError::input("pose.set", error))?;
+    let mut positions =
+        Configuration::from_positions(mechanism, pose.positions()).map_err(StudyError::about("pose.set"))?;
     positions.set_base(*pose.base());
     Ok(compile(mechanism, question, None)?.pose(&positions)?)
 }

@@ -221,7 +221,7 @@ pub(crate) fn reflected(
         }
         for (component, column) in columns.iter().enumerate() {
             let found = reflected_inertia_with(posed.pose, joint, component, &preferred)
-                .map_err(|error| StudyError::input("impact.reflected", error))?;
+                .map_err(StudyError::about("impact.reflected"))?;
             let (free_status, free) = Status::classify(found.free);
             let held = found.held.map(Status::classify);
             records.push(ReflectedRecord {
@@ -307,7 +307,7 @@ pub(crate) fn reflected_over(
             let (system, configuration) = (posed.system, posed.configuration);
             reflected_inertia_over_with(system, configuration, joint, &positions, &posed.set_joints())
         }
-        .map_err(|error| StudyError::input("impact.reflected", error))?;
+        .map_err(StudyError::about("impact.reflected"))?;
         let unit = if dimension == Dimension::Angle { "kg·m²" } else { "kg" };
         records.push(range_record(mechanism, name, unit, positions, found));
     }

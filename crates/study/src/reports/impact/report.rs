@@ -281,7 +281,7 @@ pub fn impact(
     let sticking = match has_point {
         true => {
             let alone = held_point_mass(pose, &response.contact);
-            let alone = alone.map_err(|error| StudyError::input("contact.link", error))?;
+            let alone = alone.map_err(StudyError::about("contact.link"))?;
             Some(Status::classify(alone.against_mass(prepared.other_mass())))
         }
         false => None,
@@ -441,7 +441,7 @@ fn motion_before(
         pose.base().inverse_vector(&Vector3::new(vx, vy, vz)),
     );
     let given = if impact.rates.is_empty() { "impact.base_twist" } else { "impact.rates" };
-    let rates = rates_from_drivers(pose, &drivers, base).map_err(|error| StudyError::input(given, error))?;
+    let rates = rates_from_drivers(pose, &drivers, base).map_err(StudyError::about(given))?;
     let contact = &result.response.contact;
     let unit = if contact.is_moment { "rad/s" } else { "m/s" };
     let closing = closing_speed(pose, contact, &rates);

@@ -152,7 +152,7 @@ pub(crate) fn simultaneous(
             touching.refuse_sticking()?;
         }
         let place = pose.locate(&touching.contact);
-        located.push(place.map_err(|error| StudyError::input("impact.also", error))?);
+        located.push(place.map_err(StudyError::about("impact.also"))?);
         masses.push(pose.respond(&touching.contact)?.effective_mass.kilograms());
         names.push(touching.name);
         gaps.push(touching.gap);

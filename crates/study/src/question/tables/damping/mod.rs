@@ -86,14 +86,14 @@ impl From<Separation> for SeparationName {
 #[serde(deny_unknown_fields, default)]
 pub struct DampingQuestion {
     /// Required coefficient of restitution, from 0 to 1.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "E", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "E"))]
     #[schemars(required)]
     pub restitution: Option<Ratio>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
     /// Without a restitution: the stiffness for which the effect of the bushes and gears of the model is judged. Default: the force curve of the stop in a suspension sheet, which a given stiffness replaces. Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p. The stop of a revolute joint has
     /// N·m/rad (Nm/rad, Nm/deg).
-    #[cfg_attr(feature = "flags", arg(long, value_name = "K", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "K"))]
     pub stiffness: Option<Stiffness>,
     /// Table of deflection and force of the contact, in place of a stiffness.
     ///
@@ -113,19 +113,13 @@ pub struct DampingQuestion {
     /// Exponent p of the spring force k x^p.
     ///
     /// 1 is a linear spring (the default), 1.5 a Hertz contact.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "restitution")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", requires = "restitution"))]
     pub exponent: Option<Plain>,
     /// Approach speed (m/s): penetration, force, energy.
     ///
     /// Adds penetration, force and energy to the result. Units: m/s, mm/s, km/h; for the stop of a revolute joint
     /// rad/s, deg/s. Some laws depend on the speed.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "V", allow_hyphen_values = true, requires = "restitution")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "V", requires = "restitution"))]
     pub speed: Option<Speed>,
     /// Law of the damper (damp --list-laws).
     ///
@@ -151,37 +145,32 @@ pub struct DampingQuestion {
     #[schemars(with = "Option<Words>")]
     pub tools: Vec<Tools>,
     /// Permitted error of the simulator's restitution, default 0.001; determines the time step.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "E", allow_hyphen_values = true, requires = "restitution")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "E", requires = "restitution"))]
     pub accuracy: Option<Ratio>,
     /// Time step of the simulator (s, ms); default: the step that the accuracy requires.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "S", allow_hyphen_values = true, requires = "restitution")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "S", requires = "restitution"))]
     pub time_step: Option<Time>,
     /// Mass (kg) of the contact link alone, for simulators that need it; default: from the model, if any.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", requires = "restitution"))]
     pub own_mass: Option<PositiveMass>,
     /// Mass (kg) of the other body alone, as for the contact link.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "KG", allow_hyphen_values = true, requires = "restitution")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "KG", requires = "restitution"))]
     pub other_own_mass: Option<PositiveMass>,
     /// MuJoCo's α = Â·m̄; Â is the sum of body_invweight0 of both bodies. Default: from the model, if any.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "A", requires = "restitution"))]
+    pub diagonal_ratio: Option<Plain>,
+    /// Stop of a joint in place of a contact: JOINT:lower, JOINT:upper, or JOINT at its position.
+    ///
+    /// The damper uses the effective inertia at the joint, loops included; stiffness in N·m/rad and speed in rad/s for a revolute joint.
+    /// The joint is at its set position, or at its lower or upper limit. Of the simulators, mujoco, ode, newton and physx have such stops.
     #[cfg_attr(
         feature = "flags",
-        arg(long, value_name = "A", allow_hyphen_values = true, requires = "restitution")
+        arg(
+            long,
+            value_name = "JOINT[:END]",
+            conflicts_with_all = ["at", "link", "point", "normal", "along_line", "against", "against_mass"]
+        )
     )]
-    pub diagonal_ratio: Option<Plain>,
-    /// In place of a contact: the stop of this joint, JOINT, JOINT:lower or JOINT:upper.
-    #[cfg_attr(feature = "flags", arg(skip))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub limit: Option<JointStop>,

@@ -48,20 +48,14 @@ pub struct RestitutionQuestion {
     /// Approach speeds (m/s), separated by commas.
     ///
     /// The result has a row for each. Units: m/s, mm/s, km/h.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "V", value_delimiter = ',', allow_hyphen_values = true)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "V", value_delimiter = ','))]
     #[serde(deserialize_with = "value::one_or_many")]
     #[schemars(with = "Option<value::OneOrMany<value::NumberOrText>>", required)]
     pub speed: Vec<Speed>,
     /// Stiffness of the contact (N/m; 200N/mm).
     ///
     /// Units: N/m, N/mm, kN/m, kN/mm, lbf/in; with an exponent p the number is in N/m^p.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "K", allow_hyphen_values = true, conflicts_with = "tool")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "K", conflicts_with = "tool"))]
     pub stiffness: Option<Stiffness>,
     /// Force curve of the contact in place of a stiffness: a file, points or powers.
     ///
@@ -77,24 +71,15 @@ pub struct RestitutionQuestion {
     )]
     pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p; default 1.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "P", allow_hyphen_values = true, requires = "stiffness")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "P", requires = "stiffness"))]
     pub exponent: Option<Plain>,
     /// Damping c of k x^p + c x^((p-1)/2) v, or beside a force curve (N·s/m).
     ///
     /// Units: N·s/m, N·s/mm; with an exponent p the number is in N·s/m^((p+1)/2).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "C", allow_hyphen_values = true, conflicts_with = "tool")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "C", conflicts_with = "tool"))]
     pub damping: Option<Damping>,
     /// Dissipation d of k x^p (1 + d v), s/m.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "D", allow_hyphen_values = true, conflicts_with_all = ["damping", "tool"])
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "D", conflicts_with_all = ["damping", "tool"]))]
     pub hunt_crossley: Option<Plain>,
     /// Loss factor η of F (1 + (π/2) η sgn v), F = k x^p or a force curve.
     ///
@@ -102,12 +87,7 @@ pub struct RestitutionQuestion {
     /// the lost over π times the stored energy.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "ETA",
-            allow_hyphen_values = true,
-            conflicts_with_all = ["damping", "hunt_crossley", "tool"]
-        )
+        arg(long, value_name = "ETA", conflicts_with_all = ["damping", "hunt_crossley", "tool"])
     )]
     pub loss_factor: Option<Plain>,
     /// End of the contact: when the force vanishes (the default), or when the gap closes.
@@ -124,7 +104,7 @@ pub struct RestitutionQuestion {
     #[schemars(with = "Option<BTreeMap<String, value::OneOrMany<f64>>>")]
     pub parameter: Vec<ToolParameter>,
     /// Force (N) for the penetration at rest.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "F", allow_hyphen_values = true))]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "F"))]
     pub load: Option<Force>,
 }
 
