@@ -10,6 +10,9 @@ QUESTIONS = [
     ['six_r_arm.urdf', '--link', 'tool', '--point', '0,0,0', '--normal', '0,0,-1', '--normal-frame', 'world', '--range', 'shoulder=-40deg:-20deg',
      '--range', 'elbow=50deg:70deg', '--range', 'wrist_pitch=30deg:60deg', '--mass-tolerance', '20%'],
     ['planar_2r.urdf', '--link', 'outer', '--point', '0.4,0,0', '--normal', '0,1,0', '--range', 'elbow=30deg:150deg'],
+    ['six_r_arm.urdf', '--link', 'tool', '--point', '0,0,0', '--normal', '0,0,-1', '--normal-frame', 'world', '--range', 'elbow=50deg:60deg',
+     '--normals', 'cone:5deg', '--edge', '0,0,0.02'],
+    ['six_r_arm.urdf', '--link', 'tool', '--point', '0,0,0', '--normal', '0,0,-1', '--range', 'elbow=50deg:60deg', '--normals', 'cone:5deg'],
     ['double_pendulum.urdf', '--link', 'lower', '--about-axis', '0,1,0', '--range', 'elbow=20deg:70deg'],
 ]
 

@@ -1,15 +1,24 @@
 //! Proved bounds of m̄: they contain the values of percuss, at poses and over ranges, and are refused where m̄ has no bound.
 
+use nalgebra::Vector3;
 use percuss_dynamics::{
     Conditions, Contact, Direction, EffectiveMass, Frame, NoCertificate, Pose, RangeProof, System,
 };
 use percuss_formats::load_file;
+use percuss_impact::{ExtremeKind, JointRange, NormalRange, SearchedContact, extreme_effective_mass};
 use percuss_mechanism::{JointId, JointKind};
 use percuss_tests::subjects::{Subject, of_linkages, of_trees};
 use rand::{Rng, SeedableRng, rngs::StdRng};
+use std::f64::consts::TAU;
 
-const PROOF: RangeProof =
-    RangeProof { tolerance: 0.05, budget: 300, mass_tolerance: 0.0, only_largest: false };
+const PROOF: RangeProof = RangeProof {
+    tolerance: 0.05,
+    budget: 300,
+    mass_tolerance: 0.0,
+    only_largest: false,
+    cone: 0.0,
+    edges: [[0.0; 3]; 2],
+};
 
 /// A shipped model with joints set, and a contact along a world normal.
 fn shipped(
@@ -226,6 +235,116 @@ fn an_arm_has_sharp_brackets_over_three_joints() {
         assert!((scaled / nominal - 1.0).abs() < 1e-15, "{scaled} {nominal}");
     }
     assert!(heavier.most.is_proved && lighter.is_proved);
+}
+
+/// Random positions, normals of a cone and points of a patch are inside the brackets, for normals of the link and of the world.
+#[test]
+fn cones_of_normals_and_facets_of_points_are_enclosed() {
+    let set = [("shoulder", -0.6), ("elbow", 1.0)];
+    let (system, pose, contact) =
+        shipped("six_r_arm.urdf", &set, "tool", [0.02, 0.0, 0.01], [0.0, 0.0, -1.0]);
+    let (shoulder, elbow) =
+        (system.mechanism().find_joint("shoulder"), system.mechanism().find_joint("elbow"));
+    let ranges = [(shoulder.unwrap(), -0.65, -0.55), (elbow.unwrap(), 0.95, 1.05)];
+    let (cone, edges) = (0.15, [[0.03, 0.0, 0.0], [0.0, 0.02, 0.04]]);
+    let mut rng = StdRng::seed_from_u64(9);
+    for frame in [Frame::World, Frame::Link] {
+        let given = Vector3::new(0.1, -0.2, -1.0).normalize();
+        let contact = contact.normal(Direction::Along(given, frame));
+        let proof = RangeProof { budget: 3_000, cone, edges, ..PROOF };
+        let found = pose.certify_extremes(&contact, &ranges, proof).unwrap();
+        let (least, most) = (found.least.unwrap(), found.most);
+        assert!(least.lower > 0.0 && most.upper.is_finite() && found.tree.is_some(), "{frame:?} {most:?}");
+        assert_eq!(most.positions.len(), 6);
+        let (e1, e2) = percuss_spatial::plane_basis(&given);
+        let (mut smallest, mut largest) = (f64::INFINITY, 0.0_f64);
+        for number in 0..2_000 * more() {
+            let mut part =
+                || if number < 64 { f64::from(u8::from(rng.random_bool(0.5))) } else { rng.random() };
+            let mut configuration = system.configuration();
+            for (joint, lower, upper) in ranges {
+                let q = lower + (upper - lower) * part();
+                configuration.set(system.mechanism().joint(joint).name(), &[q]).unwrap();
+            }
+            let (s, t, psi, theta) = (part(), part(), TAU * part(), cone * part());
+            let point = contact.point + Vector3::from(edges[0]) * s + Vector3::from(edges[1]) * t;
+            let normal = given * theta.cos() + (e1 * psi.cos() + e2 * psi.sin()) * theta.sin();
+            let moved = Contact { point, ..contact.normal(Direction::Along(normal, frame)) };
+            let m = mass(&system.pose(&configuration).unwrap(), &moved);
+            assert!(
+                least.lower <= m && m <= most.upper,
+                "{frame:?} {m} outside {} {}",
+                least.lower,
+                most.upper
+            );
+            (smallest, largest) = (smallest.min(m), largest.max(m));
+        }
+        // The inner bounds are values: no random one is much further out.
+        assert!(
+            least.upper <= 1.01 * smallest && most.lower >= 0.99 * largest,
+            "{frame:?} {smallest} {largest} {most:?}"
+        );
+        // The search finds extremes inside the brackets, with these normals and points.
+        let edges = edges.map(Vector3::from);
+        let searched =
+            SearchedContact { normals: NormalRange::Cone(cone), edges: &edges, ..(&contact).into() };
+        let joints = ranges.map(|(joint, lower, upper)| JointRange { joint, lower, upper });
+        for (kind, bracket) in [(ExtremeKind::Least, &least), (ExtremeKind::Most, &most)] {
+            let configuration = system.configuration();
+            let found =
+                extreme_effective_mass(&system, &configuration, searched, &joints[..], kind, 8).unwrap();
+            let m = found.effective_mass.kilograms().unwrap();
+            assert!(
+                bracket.lower * (1.0 - 1e-9) <= m && m <= bracket.upper * (1.0 + 1e-9),
+                "{frame:?} {m} {bracket:?}"
+            );
+            assert!(found.point_link.is_some() && found.normal_world.is_some());
+            let outside = if kind == ExtremeKind::Least { m > smallest } else { m < largest };
+            assert!(!outside, "{frame:?} {kind:?} {m} {smallest} {largest}");
+        }
+    }
+    // Against a body, along a line, and on loops there is no proof.
+    let (_, pose, contact) = shipped("four_bar.urdf", &[], "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
+    let crank = pose.mechanism().find_joint("crank_hinge").unwrap();
+    let refused = pose.certify_extremes(&contact, &[(crank, 0.1, 0.2)], RangeProof { cone, ..PROOF });
+    assert_eq!(refused.unwrap_err(), NoCertificate::Spread);
+}
+
+/// A rod on a hinge, J = 1/3 kg·m²: m̄ = J/(r cos θ)² at the distance r, along a normal at the angle θ from the tangent in the plane.
+#[test]
+fn a_rod_has_its_closed_form_over_points_and_normals() {
+    let text = "<robot name='rod'><link name='ground'/><link name='rod'><inertial><origin xyz='0.5 0 0'/><mass value='1'/>\
+                <inertia ixx='0.01' iyy='0.08333333333333333' izz='0.08333333333333333' ixy='0' ixz='0' iyz='0'/></inertial></link>\
+                <joint name='hinge' type='continuous'><parent link='ground'/><child link='rod'/><axis xyz='0 0 1'/></joint></robot>";
+    let source = percuss_formats::Source::from_text("rod.urdf", text);
+    let system = System::new(
+        percuss_formats::load(&source, &Default::default()).unwrap().mechanism,
+        &Conditions::new(),
+    )
+    .unwrap();
+    let rod = system.mechanism().find_link("rod").unwrap();
+    let hinge = system.mechanism().find_joint("hinge").unwrap();
+    let contact = Contact::new(rod, [0.5, 0.0, 0.0], [0.0, 1.0, 0.0]);
+    let pose = system.pose(&system.configuration()).unwrap();
+    let (cone, edge) = (0.4_f64, [0.3, 0.0, 0.0]);
+    let proof = RangeProof { tolerance: 1e-3, budget: 20_000, cone, edges: [edge, [0.0; 3]], ..PROOF };
+    let found = pose.certify_extremes(&contact, &[(hinge, -1.0, 1.0)], proof).unwrap();
+    let expected = [1.0 / 3.0 / 0.8_f64.powi(2), 1.0 / 3.0 / (0.5 * cone.cos()).powi(2)];
+    let edges = [Vector3::from(edge)];
+    let searched = SearchedContact { normals: NormalRange::Cone(cone), edges: &edges, ..(&contact).into() };
+    let range = [JointRange { joint: hinge, lower: -1.0, upper: 1.0 }];
+    for (m, bracket, kind) in [
+        (expected[0], found.least.unwrap(), ExtremeKind::Least),
+        (expected[1], found.most, ExtremeKind::Most),
+    ] {
+        assert!(
+            bracket.is_proved && bracket.lower <= m * (1.0 + 1e-12) && m * (1.0 - 1e-12) <= bracket.upper,
+            "{m} {bracket:?}"
+        );
+        let found =
+            extreme_effective_mass(&system, &system.configuration(), searched, &range[..], kind, 4).unwrap();
+        assert!((found.effective_mass.kilograms().unwrap() / m - 1.0).abs() < 1e-12, "{found:?} {m}");
+    }
 }
 
 /// The pose is at the middle of a range, which is the common face of the first two boxes.

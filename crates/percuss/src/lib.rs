@@ -48,7 +48,9 @@
 // crate's own page has `Vector3<f64>`, since compiled crates do not keep the names of type aliases.
 pub use nalgebra;
 pub use percuss_contact as contact;
+mod error;
 pub mod prelude;
+pub use error::Error;
 #[doc(no_inline)]
 pub use percuss_dynamics::{
     Accelerations, Assembly, AssemblyError, Base, Batch, BatchAnswer, BatchContacts, BatchError,

@@ -97,6 +97,8 @@ pub enum NormalRange {
     Any,
     /// All normals across an axis (world axes).
     Across(Vector3<f64>),
+    /// All normals within an angle (rad, from 0 to π/2) of the normal of the contact.
+    Cone(f64),
 }
 
 /// Quantity whose extremes are searched.
@@ -162,11 +164,13 @@ pub struct SearchedContact<'a> {
     pub wheel: Option<&'a LowestPoint>,
     /// Range of the normals.
     pub normals: NormalRange,
+    /// Edges eᵢ (m, in the frame of the contact link; two at most) of a patch of contact points p + Σ xᵢ eᵢ, 0 ≤ xᵢ ≤ 1.
+    pub edges: &'a [Vector3<f64>],
 }
 
 impl<'a> From<&'a Contact> for SearchedContact<'a> {
     fn from(contact: &'a Contact) -> Self {
-        Self { contact, wheel: None, normals: NormalRange::Given }
+        Self { contact, wheel: None, normals: NormalRange::Given, edges: &[] }
     }
 }
 
@@ -180,6 +184,8 @@ pub struct ExtremeMass {
     pub positions: Vec<f64>,
     /// Normal at the extreme, world axes, up to its sign; `None` for the normal of the contact.
     pub normal_world: Option<Vector3<f64>>,
+    /// Contact point at the extreme in the frame of the contact link, m; `None` without edges.
+    pub point_link: Option<Vector3<f64>>,
     /// Joints at a limit, true for the upper one.
     pub active_limits: Vec<(JointId, bool)>,
     /// Optimality: largest component of the projected gradient, times its range, relative to the value; 0 at an exact stationary point

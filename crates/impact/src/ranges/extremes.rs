@@ -11,9 +11,10 @@ use crate::ranges::quasi_newton::Point;
 use crate::ranges::search::{IMMOVABLE, Search, Variable};
 use crate::reactions::bearing::Bearing;
 use nalgebra::Vector3;
-use percuss_dynamics::{Base, Configuration, ConstraintSource, EffectiveMass, System};
+use percuss_dynamics::{Base, Configuration, ConstraintSource, Direction, EffectiveMass, System};
 use percuss_mechanism::JointId;
 use std::cell::Cell;
+use std::f64::consts::FRAC_PI_2;
 use std::rc::Rc;
 
 /// Relative difference of values up to which two searches agree.
@@ -190,7 +191,22 @@ fn prepare<'a>(
     let has_holds = start.iter().flat_map(|start| start.constraint_groups()).any(|group| {
         group.constraints.iter().any(|action| matches!(action.source, ConstraintSource::Hold(_)))
     });
-    let SearchedContact { contact, wheel, normals } = contact;
+    let SearchedContact { contact, wheel, normals, edges } = contact;
+    let is_varied = matches!(normals, NormalRange::Cone(_)) || !edges.is_empty();
+    let has_line = !matches!(contact.normal, Direction::Along(..) | Direction::About(..));
+    let angle = if let NormalRange::Cone(angle) = normals { angle } else { 0.0 };
+    let is_outside = !(0.0..=FRAC_PI_2).contains(&angle) || edges.len() > 2;
+    let is_planar = edges.is_empty() || normals == NormalRange::Given || angle > 0.0;
+    if is_varied
+        && (quantity != SearchedQuantity::EffectiveMass
+            || has_line
+            || wheel.is_some()
+            || is_outside
+            || !is_planar
+            || (contact.normal.is_moment() && !edges.is_empty()))
+    {
+        return Err(ExtremesError::VariedContact);
+    }
     if let NormalRange::Across(axis) = normals
         && !(axis.norm().is_finite() && axis.norm() > 0.0)
     {
@@ -209,6 +225,7 @@ fn prepare<'a>(
         variables,
         kept,
         normals,
+        edges,
         extreme,
         work,
     })
@@ -265,6 +282,7 @@ fn conclude(search: &Search, best: &Point, found: &[Point], largest: f64, starts
         },
         positions: search.positions(&best.unit),
         normal_world: best.normal_world,
+        point_link: search.point_link(&best.unit),
         active_limits: search.active_limits(&best.unit),
         residual: if is_immovable { 0.0 } else { best.residual / if vanishes { largest } else { size } },
         kept_error: search.kept_error(&best.unit),

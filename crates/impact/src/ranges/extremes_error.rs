@@ -26,6 +26,12 @@ pub enum ExtremesError {
         "a reflected inertia does not depend on the contact, so a range of normals has no effect; expected no range of normals"
     )]
     NormalsOfContact,
+    /// A cone of normals or a patch of points that the search does not cover.
+    #[error(
+        "a cone of normals (0 to 90°) and edges of contact points (two at most) apply to the effective mass at a point with a fixed normal; \
+         expected no other quantity, no line between two points, no wheel, and edges neither for a moment nor with `any` or `across`"
+    )]
+    VariedContact,
     /// The bearing is the ground, but the base floats.
     #[error(
         "the ground has no reaction, because the base floats; expected a joint or a loop closure as the bearing"

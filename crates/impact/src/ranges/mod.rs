@@ -12,3 +12,4 @@ pub(crate) mod reflected;
 pub(crate) mod reflected_range;
 mod search;
 mod self_motion;
+mod varied_contact;

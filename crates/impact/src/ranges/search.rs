@@ -8,6 +8,7 @@ use crate::ranges::extremes_error::{ExtremesError, no_driver};
 use crate::ranges::kept_points::KeptRows;
 use crate::ranges::quasi_newton::{AT_LIMIT, Point, identity, update};
 use crate::ranges::reflected::{driving_velocities, reflected_inertia};
+use crate::ranges::varied_contact::VariedContact;
 use crate::reactions::bearing::Bearing;
 use crate::reactions::reaction_map::ReactionMap;
 use crate::tolerances::DIFFERENCE_STEP;
@@ -47,6 +48,7 @@ pub(super) struct Search<'a> {
     pub variables: Vec<Variable>,
     pub kept: KeptRows,
     pub normals: NormalRange,
+    pub edges: &'a [Vector3<f64>],
     pub extreme: ExtremeKind,
     /// Work that is left: joints of the poses and of the motions that are still computed.
     pub work: Rc<Cell<usize>>,
@@ -155,6 +157,7 @@ impl<'a> Search<'a> {
             effective_mass: EffectiveMass::Immovable,
             positions: self.positions(&point.unit),
             normal_world: point.normal_world,
+            point_link: None,
             active_limits: self.active_limits(&point.unit),
             residual: 0.0,
             kept_error: self.kept_error(&point.unit),
@@ -241,7 +244,7 @@ impl<'a> Search<'a> {
         let slopes = (0..unit.len()).map(slope).collect::<Option<Vec<f64>>>()?;
         let normal_world = match self.normals {
             NormalRange::Given => None,
-            NormalRange::Any | NormalRange::Across(_) => self.contact_at(&pose)?.1,
+            _ => self.contact_at(&pose)?.1,
         };
         Some((Point::new(unit, inverse_mass, sign, &slopes, normal_world), pose))
     }
@@ -273,8 +276,15 @@ impl<'a> Search<'a> {
     fn contact_at(&self, pose: &Pose) -> Option<(Contact, Option<Vector3<f64>>)> {
         let base = pose.base();
         let contact = self.wheel.map_or(*self.contact, |wheel| wheel.contact_at(pose, self.contact));
+        let varied = |cone| {
+            let varied = VariedContact { cone, edges: self.edges };
+            let (contact, normal) = varied.extreme(pose, &contact, self.extreme)?;
+            Some((contact, Some(normal).filter(|_| cone > 0.0)))
+        };
         let directions = match self.normals {
-            NormalRange::Given => return Some((contact, None)),
+            NormalRange::Given if self.edges.is_empty() => return Some((contact, None)),
+            NormalRange::Given => return varied(0.0),
+            NormalRange::Cone(angle) => return varied(angle),
             NormalRange::Any => Matrix3xX::from_columns(&[Vector3::x(), Vector3::y(), Vector3::z()]),
             NormalRange::Across(axis) => {
                 let (e1, e2) = plane_basis(&base.inverse_vector(&axis.normalize()));
@@ -302,6 +312,12 @@ impl<'a> Search<'a> {
             false => Direction::Along(normal, Frame::World),
         };
         Some((Contact { normal: direction, ..contact }, Some(normal)))
+    }
+
+    /// Contact point at the extreme, in the frame of the contact link; `None` without edges.
+    pub fn point_link(&self, unit: &[f64]) -> Option<Vector3<f64>> {
+        let pose = self.pose(unit, None).ok().filter(|_| !self.edges.is_empty())?;
+        Some(self.contact_at(&pose)?.0.point)
     }
 
     /// Measure at the middle of the ranges (with kept points at the configuration), a scale for the thresholds; 0 if it is not finite.

@@ -45,7 +45,8 @@ pub struct BracketRecord {
     pub is_proved: bool,
     /// Number of evaluated boxes.
     pub boxes: usize,
-    /// Positions of the ranges with the best value, rad or m.
+    /// Positions of the ranges with the best value, rad or m; then those on the edges, m, and the angles ψ about the normal and θ from the
+    /// normal of a cone, rad.
     pub positions: Vec<f64>,
     /// Division of the ranges in preorder: −1 for a box with a sufficient bound, otherwise the index of the range that is halved, then its
     /// lower half and its upper half. Empty for linkages.

@@ -4,10 +4,10 @@ use crate::evaluation::certificate::{ExtremesCertificateRecord, extremes_certifi
 use crate::evaluation::prepared_question::PreparedQuestion;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::tables::damping::DampingQuestion;
-use crate::question::tables::extremes::{DEFAULT_BOXES, ExtremesQuestion, GivenRange};
+use crate::question::tables::extremes::{DEFAULT_BOXES, ExtremesQuestion, GivenEdge, GivenRange};
 use crate::values::quantities::Ratio;
 use percuss_dynamics::{Contact, Pose, RangeProof};
-use percuss_impact::{ExtremesError, JointRange, driving_joints};
+use percuss_impact::{ExtremesError, JointRange, NormalRange, driving_joints};
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
 
@@ -22,33 +22,54 @@ pub(crate) fn prove(
     question: &ExtremesQuestion,
     only_largest: bool,
 ) -> Result<ExtremesCertificateRecord, StudyError> {
-    let Ratio(tolerance) = question.certify.unwrap_or_default();
-    let proof = RangeProof {
-        tolerance,
-        budget: question.boxes.unwrap_or(DEFAULT_BOXES) as usize,
-        mass_tolerance: question.mass_tolerance.map_or(0.0, |Ratio(masses)| masses),
-        only_largest,
-    };
     let ranges = ranges(prepared, pose, question)?;
     if let Some(range) = ranges.iter().find(|range| range.lower >= range.upper) {
         let joint = prepared.model.mechanism.joint(range.joint).name().to_owned();
         let (lower, upper) = (range.lower, range.upper);
         return Err(search_error(ExtremesError::Range { joint, lower, upper }, "extremes.range"));
     }
+    prove_over(prepared, pose, contact, &ranges, question, only_largest)
+}
+
+/// Proved bounds over ranges; a range without width sets the joint.
+///
+/// # Errors
+/// As for [`prove`].
+pub(crate) fn prove_over(
+    prepared: &PreparedQuestion,
+    pose: &Pose,
+    contact: &Contact,
+    ranges: &[JointRange],
+    question: &ExtremesQuestion,
+    only_largest: bool,
+) -> Result<ExtremesCertificateRecord, StudyError> {
+    let Ratio(tolerance) = question.certify.unwrap_or_default();
+    let proof = RangeProof {
+        tolerance,
+        budget: question.boxes.unwrap_or(DEFAULT_BOXES) as usize,
+        mass_tolerance: question.mass_tolerance.map_or(0.0, |Ratio(masses)| masses),
+        only_largest,
+        cone: match question.normals.unwrap_or_default().0 {
+            NormalRange::Cone(angle) => angle,
+            _ => 0.0,
+        },
+        edges: [0, 1].map(|k| question.edge.get(k).map_or([0.0; 3], |GivenEdge(edge)| *edge)),
+    };
     if prepared.wheel().is_some() {
         let reason = Some("a contact patch that moves over a wheel is not supported by the proof".to_owned());
         return Ok(ExtremesCertificateRecord { tolerance, reason, ..ExtremesCertificateRecord::default() });
     }
     // The middle of the ranges, on the branch of the pose.
     let mut middle = prepared.configuration.clone();
-    for range in &ranges {
+    for range in ranges {
         let name = prepared.model.mechanism.joint(range.joint).name();
         let position = 0.5 * range.lower + 0.5 * range.upper;
         middle.replace(name, &[position]).map_err(|error| search_error(error.into(), "extremes.range"))?;
     }
     let middle = prepared.system.pose_from(pose, &middle);
     let middle = middle.map_err(|error| search_error(error.into(), "extremes.range"))?;
-    let mut proved = extremes_certificate(&middle, contact, &ranges, proof);
+    let wide: Vec<JointRange> = ranges.iter().filter(|range| range.lower < range.upper).copied().collect();
+    let mut proved = extremes_certificate(&middle, contact, &wide, proof);
     if let (Some(stiffness), Some(speed)) = (question.stiffness, question.speed) {
         let law =
             DampingQuestion { stiffness: Some(stiffness), speed: Some(speed), ..DampingQuestion::default() };
@@ -120,6 +141,7 @@ pub(crate) fn search_error(error: ExtremesError, field: &'static str) -> StudyEr
         ExtremesError::NoKeptNormal { .. } | ExtremesError::NoSelfMotion { .. } => {
             StudyError::input("extremes.keep", error)
         }
+        ExtremesError::VariedContact => StudyError::input("extremes.edge", error),
         error => StudyError::input(field, error),
     }
 }

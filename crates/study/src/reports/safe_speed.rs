@@ -3,7 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::evaluation::certificate::ExtremesCertificateRecord;
-use crate::evaluation::joint_ranges::prove;
+use crate::evaluation::joint_ranges::{prove, prove_over, ranges};
 use crate::evaluation::named_contact::named_contact;
 use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, PreparedQuestion};
@@ -21,11 +21,14 @@ use percuss_contact::{
     BodyRegion, ContactLawError, LawParameter, SafeSpeed, TransientContact, standard_robot_mass,
 };
 use percuss_dynamics::{Base, EffectiveMass, Frame};
-use percuss_impact::reachable_closing_speed;
-use percuss_mechanism::{Inertial, JointDescription, JointKind, LinkDescription, LinkId, Mechanism};
+use percuss_impact::{JointRange, reachable_closing_speed};
+use percuss_mechanism::{Inertial, JointDescription, JointId, JointKind, LinkDescription, LinkId, Mechanism};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
+
+/// Positions at which the standard's mass is compared with m̄.
+const SAMPLES: usize = 500;
 
 /// Speed for one mass of the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
@@ -94,7 +97,14 @@ pub struct ProvedSpeedRecord {
     pub speed: Option<SpeedRecord>,
     /// True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary.
     pub is_sharp: bool,
-    /// Proved bounds of the largest m̄ over the ranges.
+    /// Number of segments between rows of positions; null for ranges.
+    pub segments: Option<usize>,
+    /// Segment with the largest bound, from 0, from the row of this number to the next one; null for ranges.
+    pub slowest_segment: Option<usize>,
+    /// Share of the positions at which the standard's mass is too small: m̄ of the given normal and point at sampled positions of the ranges, or
+    /// segments with a proved larger m̄. From 0 to 1; null without an answer.
+    pub share_above_standard: Option<f64>,
+    /// Proved bounds of the largest m̄ over the ranges, or over the segment with the largest bound.
     pub certificate: ExtremesCertificateRecord,
 }
 
@@ -194,7 +204,10 @@ fn safe_speed(
         normal_world: evaluated.result.response.contact.normal_world.into(),
         moving_mass,
         load: asked.load(),
-        proved: asked.certify.map(|_| proved_speed(&evaluated, asked, &speed)).transpose()?,
+        proved: match asked.rows() {
+            None if asked.certify.is_some() => Some(proved_speed(&evaluated, asked, by_standard, &speed)?),
+            _ => None,
+        },
         along: None,
         diagnostics,
     })
@@ -204,20 +217,113 @@ fn safe_speed(
 fn proved_speed(
     evaluated: &EvaluatedQuestion,
     asked: &SafeSpeedQuestion,
+    by_standard: f64,
     speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
 ) -> Result<ProvedSpeedRecord, StudyError> {
-    let ranges = ExtremesQuestion {
+    let (prepared, pose, contact) = (&evaluated.prepared, &evaluated.pose, &evaluated.contact);
+    let question = proof_question(asked);
+    let certificate = prove(prepared, pose, contact, &question, true)?;
+    let ranges = ranges(prepared, pose, &question)?;
+    let share = share_above(evaluated, &ranges, by_standard);
+    proved_record(certificate, None, share, speed)
+}
+
+/// Question of the proof of a speed.
+fn proof_question(asked: &SafeSpeedQuestion) -> ExtremesQuestion {
+    ExtremesQuestion {
         range: asked.range.clone(),
         certify: asked.certify,
+        normals: asked.normals,
+        edge: asked.edge.clone(),
         ..ExtremesQuestion::default()
-    };
-    let certificate = prove(&evaluated.prepared, &evaluated.pose, &evaluated.contact, &ranges, true)?;
+    }
+}
+
+fn proved_record(
+    certificate: ExtremesCertificateRecord,
+    segment: Option<(usize, usize)>,
+    share_above_standard: Option<f64>,
+    speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
+) -> Result<ProvedSpeedRecord, StudyError> {
     let upper = certificate.most.as_ref().and_then(|most| most.upper);
     Ok(ProvedSpeedRecord {
         speed: upper.map(|mass| speed(Some(mass)).map(|(speed, _)| speed)).transpose()?,
         is_sharp: certificate.most.as_ref().is_some_and(|most| most.is_proved),
+        segments: segment.map(|(count, _)| count),
+        slowest_segment: segment.map(|(_, slowest)| slowest),
+        share_above_standard,
         certificate,
     })
+}
+
+/// Share of sampled positions in the ranges at which m̄ along the given normal is larger than a mass; `None` without an answer.
+fn share_above(evaluated: &EvaluatedQuestion, ranges: &[JointRange], mass: f64) -> Option<f64> {
+    let prepared = &evaluated.prepared;
+    let (mut count, mut above) = (0, 0);
+    for sample in 1..=SAMPLES {
+        let mut configuration = prepared.configuration.clone();
+        for (k, range) in ranges.iter().enumerate() {
+            // Additive recurrence with the powers of the root of x^(n+1) = x + 1, evenly distributed.
+            let n = ranges.len() as f64;
+            let root = (0..40).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (n + 1.0)));
+            let part = (sample as f64 * root.powi(-(k as i32) - 1)).fract();
+            let name = prepared.model.mechanism.joint(range.joint).name();
+            configuration.replace(name, &[range.lower + part * (range.upper - range.lower)]).ok()?;
+        }
+        let Ok(pose) = prepared.system.pose_from(&evaluated.pose, &configuration) else { continue };
+        let Ok(response) = pose.respond(&prepared.contact_at(&pose)) else { continue };
+        count += 1;
+        above += usize::from(match response.effective_mass {
+            EffectiveMass::Finite(found) => found > mass,
+            EffectiveMass::Immovable => true,
+            EffectiveMass::Massless => false,
+        });
+    }
+    (count > 0).then(|| above as f64 / count as f64)
+}
+
+/// Speed for the upper bound of m̄ along rows of positions: between neighbouring rows all joints are within the box of both, widened by the
+/// tracking error. The certificate is that of the segment with the largest bound.
+fn proved_along(
+    evaluated: &EvaluatedQuestion,
+    asked: &SafeSpeedQuestion,
+    (joints, rows): (&[JointId], &[Vec<f64>]),
+    by_standard: f64,
+    speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
+) -> Result<ProvedSpeedRecord, StudyError> {
+    let mechanism = &evaluated.prepared.model.mechanism;
+    let errors: Vec<f64> = joints
+        .iter()
+        .map(|joint| {
+            let is_angle = mechanism.joint(*joint).kind() != JointKind::Prismatic;
+            let own = asked.tracking.iter().filter(|tracking| tracking.is_angle == is_angle);
+            own.map(|tracking| tracking.error).fold(0.0, f64::max)
+        })
+        .collect();
+    let question = proof_question(asked);
+    let (mut worst, mut above): (Option<(f64, usize, ExtremesCertificateRecord)>, usize) = (None, 0);
+    let (mut is_sharp, count) = (true, rows.len().saturating_sub(1).max(1));
+    for segment in 0..count {
+        let ends = [&rows[segment], rows.get(segment + 1).unwrap_or(&rows[segment])];
+        let range = |(k, joint): (usize, &JointId)| {
+            let (a, b) = (ends[0][k], ends[1][k]);
+            JointRange { joint: *joint, lower: a.min(b) - errors[k], upper: a.max(b) + errors[k] }
+        };
+        let ranges: Vec<JointRange> = joints.iter().enumerate().map(range).collect();
+        let (prepared, pose, contact) = (&evaluated.prepared, &evaluated.pose, &evaluated.contact);
+        let found = prove_over(prepared, pose, contact, &ranges, &question, true)?;
+        let most = found.most.as_ref();
+        is_sharp &= most.is_some_and(|most| most.is_proved);
+        above += usize::from(most.and_then(|most| most.lower).is_some_and(|lower| lower > by_standard));
+        let upper = most.and_then(|most| most.upper).unwrap_or(f64::INFINITY);
+        if worst.as_ref().is_none_or(|(largest, ..)| upper > *largest) {
+            worst = Some((upper, segment, found));
+        }
+    }
+    let (_, slowest, certificate) = worst.ok_or_else(mass_unknown)?;
+    let share = Some(above as f64 / count as f64);
+    let record = proved_record(certificate, Some((count, slowest)), share, speed)?;
+    Ok(ProvedSpeedRecord { is_sharp, ..record })
 }
 
 /// Greatest closing speed within the rate limits of the joints.
@@ -306,9 +412,20 @@ fn safe_speed_along(
     let loaded = if asked.load() > 0.0 { Some(model_with_load(&bare, asked.load())?) } else { None };
     let (mut slowest, mut failed): (Option<AlongRecord>, _) = (None, None);
     let (mut unanswered, mut first_unanswered) = (0, None);
-    let sweep = Sweep::new(loaded.as_ref().unwrap_or(model), question, source)?;
+    let loaded_model = loaded.as_ref().unwrap_or(model);
+    let sweep = Sweep::new(loaded_model, question, source)?;
     let inputs = sweep.heading().inputs.clone();
+    let of_column = |name: &str| loaded_model.mechanism.find_joint(name).ok();
+    let columns = sweep.heading().varied.iter().filter_map(|column| of_column(column.joint.as_deref()?));
+    let mut joints: Vec<JointId> = columns.collect();
+    joints.dedup();
+    let mut rows: Vec<Vec<f64>> = Vec::new();
     let end = sweep.run(&mut |row| {
+        if asked.certify.is_some() {
+            let position =
+                |joint: &JointId| row.pose.get(loaded_model.mechanism.joint(*joint).name())?.first().copied();
+            rows.extend(joints.iter().map(position).collect::<Option<Vec<f64>>>());
+        }
         let mass = match (row.status, row.effective_mass.zip(row.effective_mass_error)) {
             ("finite", Some((m, error))) if row.singular_pose == Some(false) => Some(m + error),
             ("immovable", _) if row.singular_pose == Some(false) => None,
@@ -336,6 +453,17 @@ fn safe_speed_along(
         return Err(error.into());
     }
     let slowest = slowest.ok_or_else(mass_unknown)?;
+    if asked.certify.is_some() {
+        if rows.len() < end.rows || rows.is_empty() {
+            let why = "some rows have no pose, and the proof covers all rows; expected reachable rows";
+            return Err(StudyError::input("safe_speed.input", why));
+        }
+        let question = &*question.resolve_contact(&model.mechanism)?;
+        let evaluated = EvaluatedQuestion::new(loaded_model, question)?;
+        let by_standard = report.standard.robot_mass.unwrap_or(f64::INFINITY);
+        let speed = |mass: Option<f64>| safe_speed_record(region, limit, mass);
+        report.proved = Some(proved_along(&evaluated, asked, (&joints, &rows), by_standard, &speed)?);
+    }
     report.along = Some(AlongRecord { rows: end.rows, unanswered, first_unanswered, ..slowest });
     report.inputs = inputs;
     report.diagnostics.extend(end.diagnostics);

@@ -43,7 +43,8 @@ pub fn document(report: &ExtremesReport) -> Document<'_> {
     if let Some(certificate) = &report.certificate {
         out.section("Proof");
         out.facts(proof(certificate, report.unit));
-        if certificate.reason.is_none() {
+        let brackets = [&certificate.least, &certificate.most].into_iter().flatten();
+        if brackets.into_iter().any(|bracket| bracket.lower.is_some() || bracket.upper.is_some()) {
             out.note(certificate::MEANING);
         }
     }
@@ -120,6 +121,9 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
             let state = if gap > 0.0 { "open: it does not touch" } else { "pressed in" };
             facts.push(("  gap", format!("{}, the stop is {state} here", LengthUnit::Millimetre.text(gap))));
         }
+        if let Some(point) = &record.point_link {
+            facts.push(("  point", format!("{} m (of the contact link)", triple(point))));
+        }
         if let Some(normal) = &record.normal_world {
             let direction = if report.is_moment { "  axis" } else { "  normal" };
             facts.push((direction, format!("{} (world, up to its sign)", triple(normal))));
@@ -151,6 +155,13 @@ fn facts(report: &ExtremesReport) -> Vec<(&'static str, String)> {
             count => format!("; unreachable rows: {count}"),
         };
         facts.push(("path", format!("{} rows of {}{unreached}", path.rows, path.joints.join(", "))));
+    }
+    if let Some(angle) = report.cone {
+        facts.push(("normals", format!("within {}° of the given one", number(angle.to_degrees()))));
+    }
+    if !report.edges.is_empty() {
+        let edges: Vec<String> = report.edges.iter().map(triple).collect();
+        facts.push(("points", format!("from the contact point along {} m", edges.join(" and "))));
     }
     if !report.kept.is_empty() {
         let kept: Vec<String> = report.kept.iter().map(kept_text).collect();

@@ -111,7 +111,11 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
             (Some(record), _) => {
                 let sharp =
                     if proved.is_sharp { "" } else { "; not sharp: smaller ranges give a higher speed" };
-                format!("{}{sharp}", speed(record, "upper bound for all positions in the ranges"))
+                let where_ = match proved.segments.zip(proved.slowest_segment) {
+                    Some((count, slowest)) => format!("upper bound of segment {slowest} of {count}"),
+                    None => "upper bound for all positions in the ranges".to_owned(),
+                };
+                format!("{}{sharp}", speed(record, &where_))
             }
             (None, Some(reason)) => format!("no certificate: {reason}"),
             (None, None) => {
@@ -119,6 +123,16 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
             }
         };
         fact("proved speed", ranges);
+        let share = proved.share_above_standard.filter(|_| report.region.is_some());
+        if let Some(share) = share.filter(|share| *share > 0.0) {
+            let what = if proved.segments.is_some() { "segments" } else { "sampled positions" };
+            let text = format!(
+                "{mass} is too small in {} % of the {what}",
+                number((1000.0 * share).round() / 10.0),
+                mass = "M/2 + m_L"
+            );
+            fact("the standard's mass", text);
+        }
     }
     if let Some(reachable) = &report.reachable {
         let compared =

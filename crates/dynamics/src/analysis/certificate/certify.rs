@@ -53,6 +53,9 @@ impl Pose {
     /// derivatives give the mean-value form: the bound is exact at the centre, with an error of the square of the box. The box with the
     /// worst bound is halved first. Loops are proved for each box by the operator of Krawczyk, and neighbouring boxes to be one branch.
     ///
+    /// A cone of normals and edges of contact points (trees only) are further positions, of bodies without mass and velocity that carry the
+    /// contact.
+    ///
     /// M with any masses within ±t is between (1 − t) M and (1 + t) M, and so is m̄: the largest m̄ is 1 + t times that of the model, the
     /// smallest one 1 − t times.
     ///
@@ -65,8 +68,8 @@ impl Pose {
         ranges: &[(JointId, f64, f64)],
         proof: RangeProof,
     ) -> Result<ExtremesCertificate, NoCertificate> {
-        let problem = Problem::new(self, contact)?;
-        let varied = ranges
+        let mut problem = Problem::new(self, contact)?;
+        let mut varied = ranges
             .iter()
             .map(|&(joint, lower, upper)| {
                 let own = self.mechanism().joint(joint);
@@ -80,6 +83,7 @@ impl Pose {
                     .ok_or_else(no_driver)
             })
             .collect::<Result<Vec<_>, _>>()?;
+        varied.extend(problem.spread(&proof)?);
         if !problem.loops.is_empty() {
             // An immovable or massless contact, or a change point, at the pose.
             self.certify(contact)?;

@@ -1,9 +1,12 @@
 //! Unit wrenches of a contact on the bodies, in intervals and in `f64`.
 
 use super::plan::{On, Placement, Plan, written, written_transform, written_vector};
+use super::records::RangeProof;
 use crate::kinematics::contact::{Contact, Direction, Frame};
 use nalgebra::Vector3;
-use percuss_spatial::{Interval, Scalar, Transform, Wrench};
+use percuss_mechanism::JointKind;
+use percuss_spatial::{Interval, Scalar, Transform, Wrench, plane_basis};
+use std::f64::consts::PI;
 
 /// Contact with enclosures of its numbers.
 #[derive(Clone, Debug)]
@@ -67,6 +70,50 @@ impl Load<Interval> {
             normal,
             is_moment: contact.normal.is_moment(),
         }
+    }
+
+    /// Varies the point along edges and the normal in a cone by bodies without mass, as [`RangeProof`] describes them; `None` if the contact
+    /// has no fixed normal against the ground. The numbers of their positions begin at `first`; the result has their ranges.
+    ///
+    /// A normal of the contact link is turned by the body of the contact. For a normal of the root link all bodies are turned against it.
+    pub fn spread(
+        &mut self,
+        plan: &mut Plan<Interval>,
+        proof: &RangeProof,
+        first: usize,
+    ) -> Option<Vec<(usize, f64, f64)>> {
+        self.on.body?;
+        if self.against.as_ref().is_some_and(|against| against.body.is_some()) {
+            return None;
+        }
+        let mut varied = Vec::new();
+        let frame = self.on.frame * Transform::from_translation(self.point);
+        let mut on = On { body: self.on.body, frame };
+        for edge in proof.edges.into_iter().map(Vector3::from).filter(|edge| edge.norm() > 0.0) {
+            varied.push((first + varied.len(), 0.0, edge.norm().next_up()));
+            on = plan.carry(on, JointKind::Prismatic, edge.normalize(), varied.last()?.0);
+        }
+        if proof.cone > 0.0 {
+            let (psi, theta) = (first + varied.len(), first + varied.len() + 1);
+            varied.extend([(psi, -PI.next_up(), PI.next_up()), (theta, 0.0, proof.cone.next_up())]);
+            match &self.normal {
+                Normal::Link(n) => {
+                    let n = n.map(|x| x.mid()).normalize();
+                    on = plan.carry(on, JointKind::Revolute, n, psi);
+                    on = plan.carry(on, JointKind::Revolute, plane_basis(&n).0, theta);
+                }
+                Normal::Root(n) => {
+                    let n = n.map(|x| x.mid()).normalize();
+                    plan.mount(&[(plane_basis(&n).0, theta), (n, psi)]);
+                    on.body = on.body.map(|body| body + 2);
+                }
+                Normal::Against(_) | Normal::Line(..) => return None,
+            }
+        } else if matches!(self.normal, Normal::Against(_) | Normal::Line(..)) {
+            return None;
+        }
+        (self.on, self.point) = (on, Vector3::zeros());
+        Some(varied)
     }
 
     /// Row of numbers of [`CertifiedTree::contact`](super::records::CertifiedTree::contact); `None` for a contact against a body, or along a line.

@@ -287,6 +287,25 @@ impl Plan<Interval> {
         On { body: Some(self.steps.len() - 1), frame }
     }
 
+    /// Body without mass and velocity, whose position `q` turns it about an axis or moves it along the axis.
+    pub fn carry(&mut self, on: On<Interval>, kind: JointKind, axis: Vector3<f64>, q: usize) -> On<Interval> {
+        self.attach(on, kind, Some(axis), (q, None), Vec::new())
+    }
+
+    /// Turns all bodies about the axes at the ground, the last one first, by the positions: (axis, position).
+    pub fn mount(&mut self, turns: &[(Vector3<f64>, usize)]) {
+        let bodies = std::mem::take(&mut self.steps);
+        let mut on = On { body: None, frame: Transform::identity() };
+        for (axis, q) in turns {
+            on = self.carry(on, JointKind::Revolute, *axis, *q);
+        }
+        let count = self.steps.len();
+        self.steps.extend(bodies.into_iter().map(|step| match step.parent {
+            Some(parent) => Step { parent: Some(parent + count), ..step },
+            None => Step { parent: on.body, origin: on.frame * step.origin, ..step },
+        }));
+    }
+
     /// Rows of numbers of [`CertifiedTree::bodies`](super::records::CertifiedTree::bodies); `None` with a joint of several velocities.
     pub fn numbers(&self) -> Option<Vec<Vec<f64>>> {
         let (zero, one) = (Interval::point(0.0), Interval::point(1.0));

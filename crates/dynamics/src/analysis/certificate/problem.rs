@@ -3,7 +3,7 @@
 use super::load::Load;
 use super::loops::{Closed, Closing, Loops};
 use super::plan::{self, Plan};
-use super::records::NoCertificate;
+use super::records::{NoCertificate, RangeProof};
 use crate::analysis::pose::Pose;
 use crate::kinematics::contact::Contact;
 use crate::model::Model;
@@ -70,6 +70,18 @@ impl<'a> Problem<'a> {
             rank,
             q: q.into_iter().map(plan::position).collect(),
         })
+    }
+
+    /// Varies the point and the normal of the contact as a proof asks; the result has the ranges of further positions.
+    pub fn spread(&mut self, proof: &RangeProof) -> Result<Vec<(usize, f64, f64)>, NoCertificate> {
+        if proof.cone == 0.0 && proof.edges == [[0.0; 3]; 2] {
+            return Ok(Vec::new());
+        }
+        let first = self.q.len();
+        let varied = self.loops.is_empty().then(|| self.load.spread(&mut self.plan, proof, first)).flatten();
+        let varied = varied.ok_or(NoCertificate::Spread)?;
+        self.q.extend(varied.iter().map(|(_, lower, upper)| Interval::point(0.5 * lower + 0.5 * upper)));
+        Ok(varied)
     }
 
     pub fn closing(&self) -> Closing<'_> {

@@ -32,6 +32,12 @@ pub enum NoCertificate {
     /// The contact moves too little.
     #[error("no motion is proved to close the gap: the contact is immovable, or nearly so")]
     Immovable,
+    /// A cone of normals or edges of points.
+    #[error(
+        "a cone of normals and edges of contact points are proved for trees, against the ground, along a fixed normal of the contact link or \
+         the world"
+    )]
+    Spread,
     /// A joint of a range.
     #[error(
         "joint \"{joint}\" does not drive the pose by one position; give ranges of driving joints with one position"
@@ -77,6 +83,10 @@ pub struct RangeProof {
     pub mass_tolerance: f64,
     /// True for the largest m̄ alone: no bounds of the smallest one.
     pub only_largest: bool,
+    /// Largest angle between the normal (for a moment: the axis) and that of the contact, rad; 0 for that of the contact alone.
+    pub cone: f64,
+    /// Edges eᵢ of the contact points p + Σ xᵢ eᵢ, 0 ≤ xᵢ ≤ 1, in the frame of the contact link, m; zero for none.
+    pub edges: [[f64; 3]; 2],
 }
 
 impl RangeProof {
@@ -140,7 +150,8 @@ pub struct ExtremeBracket {
     pub lower: f64,
     /// Upper bound of the extreme, kg (kg·m² for a moment); infinite if none was proved.
     pub upper: f64,
-    /// Positions of the ranges with the best value found.
+    /// Positions of the ranges with the best value found; then those of the edges, m, and the angles ψ about the normal and θ from the normal
+    /// of a cone, rad.
     pub positions: Vec<f64>,
     /// True if the bounds agree within the tolerance.
     pub is_proved: bool,

@@ -14,6 +14,7 @@ use percuss_impact::NormalRange;
 use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
+use std::f64::consts::FRAC_PI_2;
 use std::path::Path;
 use std::str::FromStr;
 
@@ -56,18 +57,46 @@ pub struct GivenNormals(pub NormalRange);
 
 impl FromStr for GivenNormals {
     type Err = String;
-    /// Reads `given`, `any` or `across:X,Y,Z`.
+    /// Reads `given`, `any`, `across:X,Y,Z` or `cone:ANGLE`.
     fn from_str(text: &str) -> Result<Self, String> {
         match text {
             "given" => return Ok(Self(NormalRange::Given)),
             "any" => return Ok(Self(NormalRange::Any)),
             _ => {}
         }
-        let wrong = || "expected given, any or across:X,Y,Z (world axes), such as across:0,0,1".to_owned();
+        if let Some(angle) = text.strip_prefix("cone:") {
+            let found = Quantity::parse(angle).and_then(|found| found.in_dimension(Dimension::Angle, angle));
+            let angle = found.map_err(|error| format!("cone:ANGLE is expected: {error}"))?;
+            return match (0.0..=FRAC_PI_2).contains(&angle) && angle > 0.0 {
+                true => Ok(Self(NormalRange::Cone(angle))),
+                false => Err("expected a cone:ANGLE of more than 0 and at most 90deg".to_owned()),
+            };
+        }
+        let wrong = || {
+            "expected given, any, across:X,Y,Z (world axes) or cone:ANGLE, such as across:0,0,1 or cone:15deg"
+                .to_owned()
+        };
         let axis = text.strip_prefix("across:").ok_or_else(wrong)?;
         let axis = percuss_units::parse_triple(axis, Dimension::Plain)
             .map_err(|error| format!("across:X,Y,Z is expected: {error}"))?;
         Ok(Self(NormalRange::Across(axis.into())))
+    }
+}
+
+/// Edge of a patch of contact points, in the frame of the contact link, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GivenEdge(pub [f64; 3]);
+
+impl FromStr for GivenEdge {
+    type Err = String;
+    /// Reads `X,Y,Z`, other than 0,0,0.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let edge = percuss_units::parse_triple(text, Dimension::Length)
+            .map_err(|error| format!("X,Y,Z of an edge is expected: {error}"))?;
+        match edge.iter().any(|x| *x != 0.0) {
+            true => Ok(Self(edge)),
+            false => Err("the edge has no length; expected X,Y,Z other than 0,0,0".to_owned()),
+        }
     }
 }
 
@@ -256,13 +285,21 @@ pub struct ExtremesQuestion {
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub law: Option<LawName>,
-    /// Normals among which the extremes are searched: given, any, across:X,Y,Z.
+    /// Normals among which the extremes are searched: given, any, across:X,Y,Z, cone:ANGLE.
     ///
-    /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism.
+    /// across: all normals perpendicular to an axis (world axes), such as those in the plane of a planar mechanism. cone: all normals within
+    /// an angle of the given one.
     #[cfg_attr(feature = "flags", arg(long, value_name = "NORMALS", allow_hyphen_values = true))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub normals: Option<GivenNormals>,
+    /// Edge X,Y,Z of a patch of contact points, from the point; twice: a parallelogram.
+    ///
+    /// The extremes are those of all points p + s a + t b with the edges a and b (link's frame) and s, t from 0 to 1: a line or a facet.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub edge: Vec<GivenEdge>,
     /// Prove bounds of the extremes of m̄ within a relative tolerance, such as 2%.
     ///
     /// Branch and bound over the ranges with interval arithmetic: trees, and loops along one or two ranges. The report gives the best
@@ -323,6 +360,12 @@ impl ExtremesQuestion {
             return refuse("extremes.starts", "expected a number from 1 to 2000");
         }
         self.check_proof()?;
+        if self.edge.len() > 2 {
+            return refuse(
+                "extremes.edge",
+                "a patch has one or two edges; expected a line or a parallelogram",
+            );
+        }
         if let Some(law) = self.contact_law().filter(|_| self.certify.is_none()) {
             if !matches!(self.quantity, Some(GivenQuantity::Peak(_))) {
                 return refuse(
@@ -363,12 +406,13 @@ impl ExtremesQuestion {
             return refuse("extremes.boxes", "expected a number from 1 to 100000000");
         }
         let is_mass = self.quantity() == &GivenQuantity::Mass;
-        let is_given = self.normals.unwrap_or_default().0 == NormalRange::Given;
+        let is_given =
+            matches!(self.normals.unwrap_or_default().0, NormalRange::Given | NormalRange::Cone(_));
         if !is_mass || !is_given || self.path.is_some() || !self.keep.is_empty() {
             return refuse(
                 "extremes.certify",
-                "the proof covers m̄ over ranges of joints, with the normal of the contact; expected neither another quantity, `normals`, \
-                 `path` nor `keep`",
+                "the proof covers m̄ over ranges of joints, with the normal of the contact or a cone around it; expected neither another \
+                 quantity, other `normals`, `path` nor `keep`",
             );
         }
         let law = self.restitution.is_some() || self.exponent.is_some() || self.law.is_some();

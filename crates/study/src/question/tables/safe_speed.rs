@@ -1,6 +1,6 @@
 //! Question about the safe speed of a robot that may hit a person.
 
-use super::extremes::GivenRange;
+use super::extremes::{GivenEdge, GivenNormals, GivenRange};
 #[cfg(feature = "flags")]
 use super::headings::{LIMIT, WHICH};
 use crate::question::errors::refusal::InvalidKey;
@@ -8,9 +8,12 @@ use crate::question::row_source::{PositionFile, RowSource};
 use crate::values::quantities::{Area, Energy, Force, Mass, Momentum, Pressure, Ratio, Vector};
 use crate::values::value::{self, Words};
 use percuss_formats::DEFAULT_MAX_SIZE;
+use percuss_impact::NormalRange;
+use percuss_units::{Dimension, Quantity};
 use schemars::JsonSchema;
 use serde::Deserialize;
 use std::path::Path;
+use std::str::FromStr;
 
 /// Limit of the impact, taken by the user from the applicable edition of the standard.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -35,6 +38,33 @@ pub enum Limit {
 pub struct LimitError {
     /// Names of the given values.
     pub given: Vec<&'static str>,
+}
+
+/// Tracking error: an angle of hinges, rad, or a length of slides, m.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct GivenTracking {
+    /// True for an angle.
+    pub is_angle: bool,
+    /// Largest distance from the position, rad or m.
+    pub error: f64,
+}
+
+impl FromStr for GivenTracking {
+    type Err = String;
+    /// Reads `1deg` or `1mm`.
+    fn from_str(text: &str) -> Result<Self, String> {
+        let found = Quantity::parse(text).map_err(|error| error.to_string())?;
+        let wrong = || {
+            format!(
+                "\"{text}\" is no error of positions; expected an angle or a length above 0, such as 1deg or 1mm"
+            )
+        };
+        match found.dimension {
+            Some(Dimension::Angle) if found.value > 0.0 => Ok(Self { is_angle: true, error: found.value }),
+            Some(Dimension::Length) if found.value > 0.0 => Ok(Self { is_angle: false, error: found.value }),
+            _ => Err(wrong()),
+        }
+    }
 }
 
 /// Limit of the impact of a robot on a person.
@@ -123,12 +153,26 @@ pub struct SafeSpeedQuestion {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub range: Vec<GivenRange>,
-    /// Prove a speed for all positions in the ranges, within a relative tolerance of the mass, such as 2%.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "TOLERANCE", requires = "range", help_heading = WHICH)
-    )]
+    /// Prove a speed for all positions in the ranges or along `input`, within a relative tolerance of the mass, such as 2%.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "TOLERANCE", help_heading = WHICH))]
     pub certify: Option<Ratio>,
+    /// Tracking error of the joints (1deg, 1mm) for a proof along `input`.
+    ///
+    /// An angle applies to hinges, a length to slides. The proof covers all positions between two rows and within this error of them.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "ERROR", requires = "input", help_heading = WHICH))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub tracking: Vec<GivenTracking>,
+    /// Normals of a proof: given, or cone:ANGLE around the given one.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NORMALS", requires = "certify", help_heading = WHICH))]
+    #[serde(deserialize_with = "value::some_word")]
+    #[schemars(with = "Option<String>")]
+    pub normals: Option<GivenNormals>,
+    /// Edge X,Y,Z of a patch of contact points of a proof; twice: a parallelogram.
+    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, requires = "certify", help_heading = WHICH))]
+    #[serde(deserialize_with = "value::words")]
+    #[schemars(with = "Option<Words>")]
+    pub edge: Vec<GivenEdge>,
     /// Load that is missing in the model (kg); default 0.
     ///
     /// Load and tool: a point mass at the contact, and m_L in the standard's M/2 + m_L.
@@ -166,11 +210,33 @@ impl SafeSpeedQuestion {
         if self.input.is_none() && !self.ignore.is_empty() {
             return refuse("safe_speed.ignore", "it removes columns of `input`; give that file");
         }
-        if self.range.is_empty() != self.certify.is_none() {
-            return refuse("safe_speed.certify", "a proof needs both `range` and `certify`, such as 2%");
+        if self.certify.is_some() && self.range.is_empty() == self.rows().is_none() {
+            return refuse(
+                "safe_speed.certify",
+                "a proof covers either `range` or the rows of `input`; give one of them",
+            );
         }
-        if self.rows().is_some() && self.certify.is_some() {
-            return refuse("safe_speed.certify", "the proof covers ranges; expected no `input`");
+        let has_proof_keys = !(self.range.is_empty() && self.tracking.is_empty() && self.edge.is_empty());
+        if self.certify.is_none() && (has_proof_keys || self.normals.is_some()) {
+            return refuse(
+                "safe_speed.certify",
+                "`range`, `tracking`, `normals` and `edge` belong to a proof; give `certify`, such as 2%",
+            );
+        }
+        if !self.tracking.is_empty() && self.rows().is_none() {
+            return refuse("safe_speed.tracking", "it is the error of the rows of `input`; give that file");
+        }
+        if !matches!(self.normals.unwrap_or_default().0, NormalRange::Given | NormalRange::Cone(_)) {
+            return refuse(
+                "safe_speed.normals",
+                "a proof covers the given normal or a cone around it; expected cone:ANGLE",
+            );
+        }
+        if self.edge.len() > 2 {
+            return refuse(
+                "safe_speed.edge",
+                "a patch has one or two edges; expected a line or a parallelogram",
+            );
         }
         if !(1e-9..=1.0).contains(&self.certify.map_or(1.0, |Ratio(tolerance)| tolerance)) {
             return refuse("safe_speed.certify", "expected a relative tolerance from 1e-9 to 1, such as 2%");

@@ -15,14 +15,18 @@ use crate::question::errors::question_error::StudyError;
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
 use crate::question::tables::damping::DampingQuestion;
-use crate::question::tables::extremes::{DEFAULT_STARTS, ExtremesQuestion, GivenQuantity, Keep, MOST_STARTS};
+use crate::question::tables::extremes::{
+    DEFAULT_STARTS, ExtremesQuestion, GivenEdge, GivenQuantity, Keep, MOST_STARTS,
+};
 use crate::question::travel::varied_values::PathPlace;
 use crate::reports::impact::additions::find_bearing;
 use crate::sweep::sweep_rows::Sweep;
+use nalgebra::Vector3;
 use percuss_dynamics::{Contact, Gap, Pose};
 use percuss_impact::{
-    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, PeakForceLaw, ReactionMap,
-    SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path, extreme_quantity,
+    DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, NormalRange, PeakForceLaw,
+    ReactionMap, SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path,
+    extreme_quantity,
 };
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use schemars::JsonSchema;
@@ -66,6 +70,8 @@ pub struct ExtremeRecord {
     pub kept_error: Option<f64>,
     /// Normal (for a moment: axis) at the extreme, world axes, up to its sign; null if the search uses the normal of the contact.
     pub normal_world: Option<[f64; 3]>,
+    /// Contact point at the extreme in the frame of the contact link, m; null without edges.
+    pub point_link: Option<[f64; 3]>,
     /// Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of
     /// the impulse): zero at an exact optimum.
     pub residual: f64,
@@ -118,6 +124,10 @@ pub struct ExtremesReport {
     pub unit: &'static str,
     /// Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path.
     pub ranges: Vec<(String, f64, f64)>,
+    /// Largest angle between the normals and that of the contact, rad; null without a cone.
+    pub cone: Option<f64>,
+    /// Edges of the patch of contact points, in the frame of the contact link, m.
+    pub edges: Vec<[f64; 3]>,
     /// Links and points that stay in place over the ranges.
     pub kept: Vec<KeptRecord>,
     /// Path; null for ranges.
@@ -191,6 +201,7 @@ pub fn extremes(
     }
     let requested = extremes.quantity();
     let (quantity, unit) = searched_quantity(requested, &model.mechanism, is_moment, law.as_ref())?;
+    let edges: Vec<Vector3<f64>> = extremes.edge.iter().map(|GivenEdge(edge)| (*edge).into()).collect();
     let search = ExtremesSearch {
         prepared: &prepared,
         pose: &pose,
@@ -198,6 +209,7 @@ pub fn extremes(
             contact: &contact,
             wheel: prepared.wheel(),
             normals: extremes.normals.unwrap_or_default().0,
+            edges: &edges,
         },
         quantity,
         question: extremes,
@@ -227,6 +239,7 @@ pub fn extremes(
     findings.retain(|finding| !of_range(finding));
     for (value, (extreme, _)) in ["smallest", "largest"].into_iter().zip(&found.extremes) {
         let has_contact = extreme.normal_world.is_none()
+            && extreme.point_link.is_none()
             && matches!(quantity, SearchedQuantity::EffectiveMass | SearchedQuantity::BearingImpulse { .. });
         let there = pose_at(extreme).filter(|_| has_contact);
         let result = there.and_then(|there| prepared.evaluate(&there, &prepared.contact_at(&there)).ok());
@@ -255,6 +268,7 @@ pub fn extremes(
             place: at.as_ref().and_then(|(_, place)| place.clone()),
             kept_error: (!extremes.keep.is_empty()).then_some(extreme.kept_error),
             normal_world: extreme.normal_world.map(Into::into),
+            point_link: extreme.point_link.map(Into::into),
             residual: extreme.residual,
             agreeing: extreme.agreeing,
             starts: extreme.starts,
@@ -275,6 +289,11 @@ pub fn extremes(
         joint: requested.joint().map(str::to_owned),
         unit,
         ranges: found.ranges.iter().map(|range| (name(range.joint), range.lower, range.upper)).collect(),
+        cone: match extremes.normals.unwrap_or_default().0 {
+            NormalRange::Cone(angle) => Some(angle),
+            _ => None,
+        },
+        edges: extremes.edge.iter().map(|GivenEdge(edge)| *edge).collect(),
         kept: extremes.keep.iter().map(kept_record).collect(),
         held: held_joints(&pose, &found.joints),
         starts: found.starts.unwrap_or(least.0.starts.max(most.0.starts)),
