@@ -146,7 +146,8 @@ fn is_flag(given: &str, arguments: &[OsString]) -> bool {
 /// Other commands that have a flag, if they are few.
 fn commands_with(definition: &Command, flag: &str) -> Option<String> {
     let long = flag.strip_prefix("--")?;
-    let has_flag = |command: &&Command| command.get_arguments().any(|known| known.get_long() == Some(long));
+    let is_flag = |known: &clap::Arg| known.get_long() == Some(long) && !known.is_hide_set();
+    let has_flag = |command: &&Command| command.get_arguments().any(is_flag);
     let commands: Vec<String> = definition
         .get_subcommands()
         .filter(has_flag)
