@@ -20,7 +20,7 @@ import tempfile
 from pathlib import Path
 
 import numpy as np
-from scipy.linalg import eigh, null_space
+from scipy.linalg import eigh, null_space, solve_triangular
 from scipy.optimize import brentq, minimize_scalar
 
 # Limits and residual compliance; frequencies; receptance; impacts. Both programs solve systems of condition up to 1e5 in double precision.
@@ -211,12 +211,13 @@ class Case:
             force = j - mass @ motion / out["rigid"]
         else:
             out["rigid"], motion, force = None, None, j
-        kr = total(lambda e: e[1] * e[4])
-        # In the space of the rows: the condition is that of the stiffness alone.
+        # In the space of the rows, by the roots of the stiffness: the condition is the root of that of the stiffness.
         sizes, across = np.linalg.svd(held / np.linalg.norm(held, axis=1, keepdims=True))[1:] if len(held) else (np.zeros(0), np.eye(len(j)))
         across = across[: int((sizes > 1e-9).sum())].T
         applied = across.T @ force
-        out["compliance"] = applied @ np.linalg.solve(across.T @ kr @ across, applied) if across.size else 0.0
+        roots = np.sqrt([e[1] for e in elastic if e[4]])
+        triangle = np.linalg.qr(roots[:, None] * (held @ across), mode="r")
+        out["compliance"] = np.sum(solve_triangular(triangle.T, applied, lower=True) ** 2) if across.size else 0.0
         squares, modes = eigh(k, mass)
         out["frequencies"] = np.sqrt(np.clip(squares, 0, None)) / (2 * np.pi)
         out["participation"] = (j @ modes) ** 2

@@ -61,7 +61,7 @@ fn kinds_of_joint_and_their_positions() {
 fn springs_of_joints() {
     let text = model(
         &format!(
-            "<body name=\"a\"><joint name=\"hinge\" ref=\"20\" springref=\"50\" stiffness=\"7\" damping=\"0.2\"/>{BODY}
+            "<body name=\"a\"><joint name=\"hinge\" ref=\"0.2\" springref=\"0.5\" stiffness=\"7\" damping=\"0.2\"/>{BODY}
                <body name=\"b\"><joint name=\"slide\" type=\"slide\" springref=\"0.1\" stiffness=\"30\"/>{BODY}
                  <body name=\"c\"><joint name=\"plain\"/>{BODY}</body></body></body>"
         ),
@@ -74,7 +74,7 @@ fn springs_of_joints() {
     };
     let hinge = spring("hinge").expect("a spring");
     assert_eq!((hinge.stiffness, hinge.damping), (7.0, 0.2));
-    assert_relative_eq!(hinge.reference, 30.0_f64.to_radians(), epsilon = 1e-15);
+    assert_relative_eq!(hinge.reference, 0.3, max_relative = 1e-15);
     let slide = spring("slide").expect("a spring");
     assert_eq!((slide.stiffness, slide.damping, slide.reference), (30.0, 0.0, 0.1));
     assert_eq!(spring("plain"), None);

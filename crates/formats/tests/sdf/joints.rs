@@ -283,8 +283,8 @@ fn values_of_joints_in_unread_parts_are_named() {
         read(&model(12, &format!("{}{joint}", link("a", pose))))
     };
     for (in_joint, in_axis, pose, code) in [
-        ("", "<dynamics><armature>0.1</armature></dynamics>", "", "ignored"),
-        ("", "<dynamics armature=\"0.1\"/>", "", "ignored"),
+        ("", "<dynamics><armature>0.1</armature></dynamics>", "", "unknown-element"),
+        ("", "<dynamics armature=\"0.1\"/>", "", "unknown-attribute"),
         ("<physics><ode><armature>0.1</armature></ode></physics>", "", "", "ignored"),
         ("<sensor name=\"s\" type=\"t\"><armature>0.1</armature></sensor>", "", "", "ignored"),
         ("<plugin name=\"p\" filename=\"f\"><rotor_inertia>0.1</rotor_inertia></plugin>", "", "", "ignored"),

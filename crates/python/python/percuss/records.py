@@ -296,7 +296,7 @@ class ComplianceRecord(Record):
     """True if no spring, damper, tyre, anti-roll bar or free rotation of a bush with stiffness acts along the motion of the
     rigid mechanism: the lower bounds of an impact hold."""
     beside: list[str]
-    """Springs, dampers, tyres and anti-roll bars of the sheet."""
+    """Springs, dampers, tyres and anti-roll bars of the sheet; joints with a spring or a damper."""
     rigid_up_to: list[float] | None
     """Largest stiffnesses of a contact, N/m, up to which the rigid mass is right within 1 % and within 5 %, by the rule of
     thumb."""
@@ -975,6 +975,19 @@ class ForceCurveRecord(Record):
     """Exponents p of the powers."""
 
 
+class FoundCoordinate(Record):
+    """Unknown before and after a search: coordinates in the unit and axes of the sheet, masses in kg."""
+
+    coordinate: str
+    """Name "POINT.AXIS", "LINK.mass", "CONTACT.curve" or "CONTACT.damping"."""
+    unit: str
+    """Unit; × for a factor on the forces of a curve or on a stiffness."""
+    old: float
+    """Value in the sheet."""
+    new: float
+    """Value found."""
+
+
 class FrictionRecord(Record):
     """Coulomb friction at the contact."""
 
@@ -1237,13 +1250,15 @@ class ImpactTimeRecord(Record):
     """Tyres that act."""
     anti_roll_bars: list[AntiRollBarRecord]
     """Anti-roll bars that act."""
+    joint_springs: list[JointSpringRecord]
+    """Springs and dampers of joints that act: those of the model, and given ones."""
     drives: list[DriveRecord]
     """Drives that act."""
     effective_weight: float | None
     """Effective weight of absorber catalogues, kg (kg·m² for a moment): m̄ + 2W/v² with the work W of the drives until the
     largest penetration and the closing speed v. It is no mass of the mechanism; None without drives."""
     springs_left_out: list[str]
-    """Springs, dampers, tyres and anti-roll bars of the suspension sheet that are left out."""
+    """Springs, dampers, tyres and anti-roll bars of the suspension sheet and springs of joints that are left out."""
     second_touch: SecondTouchRecord | None
     """Second touch of the contact within three of its durations after its end, without the force of the contact in between;
     None if there is none."""
@@ -1333,8 +1348,26 @@ class JointRecord(Record):
     """Position limits, rad or m."""
     armature: list[float]
     """Rotor inertia reflected to the joint, one value per velocity."""
+    spring: list[float] | None
+    """Stiffness (N·m/rad or N/m), damping (N·m·s/rad or N·s/m) and position without force (rad or m) of the spring of the
+    joint."""
+    gear: list[float] | None
+    """Stiffness (N·m/rad or N/m) and damping (N·m·s/rad or N·s/m) of the elastic gear of the joint."""
     mimics: str | None
     """Master joint of a mimic."""
+
+
+class JointSpringRecord(Record):
+    """Spring and damper parallel to a joint during an impact in time: of the model, or given."""
+
+    joint: str
+    """The joint."""
+    stiffness: float
+    """Stiffness, N·m/rad or N/m."""
+    damping: float
+    """Damping, N·m·s/rad or N·s/m."""
+    force_at_touch: float
+    """Force or moment of the spring at the touch on the joint, N·m or N; 0 if only the change of the force acts."""
 
 
 class KeptRecord(Record):
@@ -2072,6 +2105,19 @@ class ReachableSpeedRecord(Record):
     """Joints whose rate limits determine this speed."""
 
 
+class ReachedTarget(Record):
+    """Value reached for a target, SI units."""
+
+    quantity: str
+    """Column."""
+    required: float
+    """Required value."""
+    old: float
+    """Value before the search."""
+    reached: float
+    """Value at the new coordinates."""
+
+
 class ReactionRecord(Record):
     """Impulsive reaction at one place, component by component. None marks components that redundant loops leave open."""
 
@@ -2265,6 +2311,8 @@ class RequestReport(Record):
     """Safe speeds."""
     sweep: SweepReport | None
     """Rows of the sweep."""
+    targets: TargetReport | None
+    """Search for required values of a suspension."""
 
 
 class ResponseReport(Record):
@@ -2621,6 +2669,33 @@ class SweepRow(Record):
     gradient: dict[str, list[float]] | None
     """Gradient of m̄, one number per velocity of every movable joint, kg/rad or kg/m; empty unless m̄ is finite. The key is
     absent unless gradients are requested."""
+
+
+class TargetReport(Record):
+    """Result of a search."""
+
+    schema: Literal["percuss.target/1"]
+    """"percuss.target/1"."""
+    percuss: str
+    """Version of percuss."""
+    inputs: list[Input]
+    """Source files."""
+    is_reached: bool
+    """True if all values are reached."""
+    within: float
+    """Largest change of a coordinate, m."""
+    loads: KinematicLoads | None
+    """Loads of the motions per load; None without compliance."""
+    coordinates: list[FoundCoordinate]
+    """Coordinates."""
+    targets: list[ReachedTarget]
+    """Quantities."""
+    evaluations: int
+    """Number of evaluated designs."""
+    moves: list[list[list[float] | str]]
+    """Displacements of the hardpoints, m, in the axes of the sheet, as for "--move"."""
+    link_masses: list[list[float | str]]
+    """Masses of links, kg, as for "--link-mass"."""
 
 
 class TextFile(Record):

@@ -80,18 +80,18 @@ impl ElasticSystem {
                 &self.contact - &self.mass * motion / mass
             }
         };
-        let stiffness = self.sum_of_rows(|row| if row.is_rigid { row.stiffness } else { 0.0 });
-        let mut stiffness = held.range.tr_mul(&stiffness) * &held.range;
+        let applied = held.range.tr_mul(&force);
         let is_loaded = self.rows.iter().any(ElasticRow::is_geometric);
-        if is_loaded {
+        let deflection = if is_loaded {
+            let stiffness = self.sum_of_rows(|row| if row.is_rigid { row.stiffness } else { 0.0 });
             let geometric = self.sum_of_rows(|row| if row.is_geometric() { row.stiffness } else { 0.0 });
             let elastic = self.without_rigid_momentum(&held)?;
-            stiffness += elastic.tr_mul(&geometric) * elastic;
-        }
-        let applied = held.range.tr_mul(&force);
-        let Some(deflection) = solve_positive(&stiffness, &applied) else {
-            return if is_loaded { Err(ComplianceError::Unstable) } else { Ok(result) };
+            let whole = held.range.tr_mul(&stiffness) * &held.range + elastic.tr_mul(&geometric) * elastic;
+            Some(solve_positive(&whole, &applied).ok_or(ComplianceError::Unstable)?)
+        } else {
+            self.solve_by_roots(&held.range, &applied)
         };
+        let Some(deflection) = deflection else { return Ok(result) };
         let work = deflection.dot(&applied);
         let deflection = &held.range * deflection;
         let energy_of = |stiffness: f64, row: &DVector<f64>| stiffness * row.dot(&deflection).powi(2);
@@ -136,6 +136,22 @@ impl ElasticSystem {
         let geometric = self.sum_of_rows(|row| if row.is_geometric() { row.stiffness } else { 0.0 });
         let is_loaded = (geometric * motion).norm() > CLEAR_OF_RIGID_MOTION * bushes.norm() * motion.norm();
         !is_loaded && !self.rows.iter().any(|row| row.acts() && resists(&row.row))
+    }
+
+    /// Solves RᵀKR x = f with the stiffness K of the rigid rows B by the triangle of √k B R = Q T: the condition is the root of that of K. `None` for
+    /// a singular triangle.
+    fn solve_by_roots(&self, range: &DMatrix<f64>, force: &DVector<f64>) -> Option<DVector<f64>> {
+        let rigid: Vec<&ElasticRow> = self.rows.iter().filter(|row| row.is_rigid && row.is_elastic()).collect();
+        let roots = DMatrix::from_fn(rigid.len(), self.contact.len(), |r, c| {
+            rigid[r].stiffness.sqrt() * rigid[r].row[c]
+        });
+        if force.is_empty() {
+            return Some(force.clone());
+        }
+        let triangle = (roots * range).qr().r();
+        let sizes = triangle.diagonal().abs();
+        (triangle.is_square() && sizes.min() > self.floor * sizes.max()).then_some(())?;
+        triangle.solve_upper_triangular(&triangle.tr_solve_upper_triangular(force)?)
     }
 
     /// Motions of the rigid rows, each with the rigid motion that makes its momentum normal to the rigid motions, and with the massless rigid motions that

@@ -185,10 +185,10 @@ export interface ImpactTimeRecord {
   restitution: number; duration: number | null; max_penetration: number; peak_force: number; mass_change: number | null;
   restitution_is_reached: boolean; damping: number | null; dissipation: number | null; loss_factor: number | null;
   one_freedom: VaryingMassImpact | null; gravity_world: Triple; springs: PointSpringRecord[];
-  dampers: PointDamperRecord[]; tyres: TyreRecord[]; anti_roll_bars: AntiRollBarRecord[]; drives: DriveRecord[];
-  effective_weight: number | null; springs_left_out: string[]; second_touch: SecondTouchRecord | null; energy: EnergyRecord;
-  loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[]; effective_mass: (number | null)[];
-  joints: JointMotionRecord[]; bearings: BearingForceRecord[]; compliant: CompliantImpactRecord | null;
+  dampers: PointDamperRecord[]; tyres: TyreRecord[]; anti_roll_bars: AntiRollBarRecord[]; joint_springs: JointSpringRecord[];
+  drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[]; second_touch: SecondTouchRecord | null;
+  energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
+  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[]; compliant: CompliantImpactRecord | null;
 }
 
 export interface Input {
@@ -205,6 +205,10 @@ export interface JointMotionRecord {
 
 export interface JointRateRecord {
   joint: string; before: number[]; after: number[]; undetermined: boolean;
+}
+
+export interface JointSpringRecord {
+  joint: string; stiffness: number; damping: number; force_at_touch: number;
 }
 
 export interface KinematicColumn {
