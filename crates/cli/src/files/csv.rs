@@ -73,6 +73,8 @@ pub struct SweepTable {
     header: String,
     /// Numbers of a pose that are not varied, as ranges of indices.
     others: Vec<Range<usize>>,
+    /// Number of values in `others`.
+    count: usize,
     style: TableStyle,
     /// Units of the varied numbers, and of the numbers in `other_numbers`.
     varied_units: Vec<ColumnUnit>,
@@ -151,8 +153,9 @@ impl SweepTable {
             }
             first += numbers;
         }
+        let count = others.iter().map(Range::len).sum();
         let header_line = header_in_style(line(&header), &header, style);
-        Self { header: header_line, names: header, others, style, varied_units, other_units }
+        Self { header: header_line, names: header, others, count, style, varied_units, other_units }
     }
 
     /// Column names: the row, the varied numbers, `status`, six more columns of the result, the gap of a
@@ -175,20 +178,40 @@ impl SweepTable {
 
     /// Formats a row as a line. A row that was not reached has no pose; the cells of its joints are empty.
     pub fn row(&self, row: &SweepRow) -> String {
-        let mut text = String::with_capacity(24 * self.names.len());
-        for (column, cell) in self.cells(row).into_iter().enumerate() {
-            if column > 0 {
-                text.push(if self.style.comma { ';' } else { ',' });
-            }
-            match cell {
-                Cell::Number(x) if !self.style.comma => write_number(&mut text, x),
-                cell => text += &styled_cell(&cell, self.style),
+        if self.style.names_units || self.style.comma {
+            return self.styled_row(row);
+        }
+        let mut text =
+            String::with_capacity(24 * (self.count + row.varied.values().len() + FIXED_COLUMNS.len()));
+        // Writing to a string cannot fail.
+        let _ = write!(text, "{}", row.row);
+        row.varied.values().iter().for_each(|value| push_number(&mut text, Some(*value)));
+        text.push(',');
+        text += row.status;
+        push_number(&mut text, row.effective_mass);
+        push_number(&mut text, row.closure_residual);
+        text += row.singular_pose.map_or(",", |singular| if singular { ",true" } else { ",false" });
+        push_number(&mut text, row.motion_ratio);
+        push_number(&mut text, row.estimate);
+        push_number(&mut text, row.estimate_error_percent);
+        if let Some(gap) = row.gap {
+            push_number(&mut text, gap);
+        }
+        let gradient = row.gradient.iter().flat_map(|gradient| gradient.numbers());
+        gradient.for_each(|value| push_number(&mut text, value));
+        let numbers = row.pose.numbers();
+        for run in &self.others {
+            match numbers.get(run.clone()) {
+                Some(numbers) => numbers.iter().for_each(|value| push_number(&mut text, Some(*value))),
+                None => text.extend(std::iter::repeat_n(',', run.len())),
             }
         }
         text.push('\n');
         text
     }
+}
 
+impl SweepTable {
     /// Cells of a row, in the units and with the rounding of the style.
     pub fn cells(&self, row: &SweepRow) -> Vec<Cell> {
         let style = &self.style;
@@ -214,6 +237,12 @@ impl SweepTable {
         cells.extend(others.map(|(value, unit)| Cell::from_value(value.map(|value| scaled(value, unit)))));
         cells
     }
+
+    /// Row with units, rounding and decimal sign of the style.
+    fn styled_row(&self, row: &SweepRow) -> String {
+        let cells: Vec<String> = self.cells(row).iter().map(|cell| styled_cell(cell, self.style)).collect();
+        cells.join(if self.style.comma { ";" } else { "," }) + "\n"
+    }
 }
 
 /// Column name with the unit in the notation of `--input`.
@@ -227,6 +256,14 @@ fn header_in_style(line: String, names: &[String], style: TableStyle) -> String 
         return line;
     }
     names.iter().map(|name| quote(name)).collect::<Vec<_>>().join(";") + "\n"
+}
+
+/// Appends a comma, and the number if present.
+fn push_number(text: &mut String, value: Option<f64>) {
+    text.push(',');
+    if let Some(value) = value {
+        write_number(text, value);
+    }
 }
 
 /// Adds the columns of a joint: `name`, or `name[0]`, `name[1]`, … for several numbers.

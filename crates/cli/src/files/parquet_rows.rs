@@ -14,7 +14,7 @@ use parquet::file::metadata::KeyValue;
 use parquet::file::properties::{EnabledStatistics, WriterProperties};
 use parquet::file::writer::{SerializedFileWriter, SerializedRowGroupWriter};
 use parquet::schema::types::Type;
-use percuss_study::{Model, Sweep, SweepEnd, SweepHeading};
+use percuss_study::{Model, Sweep, SweepEnd, SweepHeading, SweepRow};
 use std::io;
 use std::ops::ControlFlow;
 use std::sync::Arc;
@@ -46,8 +46,7 @@ pub fn write(
     let mut written = Ok(());
     let end = sweep.run(&mut |row| {
         bar.inc(1);
-        let cells = table.cells(&row);
-        columns.iter_mut().zip(&cells).for_each(|(column, cell)| column.push(cell));
+        push_row(&mut columns, status, &table, &row);
         if columns[0].levels.len() == group {
             written = write_group(&mut columns, &mut writer);
         }
@@ -60,6 +59,20 @@ pub fn write(
     // The footer with the schema is written last.
     writer.into_inner().map_err(|error| cannot_write(path, &io_cause(error)))?.finish()?;
     Ok(end)
+}
+
+/// Appends a row to the columns; `status`: index of the column of the status.
+fn push_row(columns: &mut [Column], status: usize, table: &SweepTable, row: &SweepRow) {
+    columns[0].push(&Cell::Number(row.row as f64));
+    columns[1..].iter_mut().zip(row.varied.values()).for_each(|(column, x)| column.push_number(Some(*x)));
+    columns[status].push(&Cell::Text(row.status.into()));
+    columns[status + 1].push_number(row.effective_mass);
+    columns[status + 2].push_number(row.closure_residual);
+    columns[status + SINGULAR_POSE_COLUMN].push(&row.singular_pose.map_or(Cell::Empty, Cell::Logical));
+    let further = [row.motion_ratio, row.estimate, row.estimate_error_percent].into_iter().chain(row.gap);
+    let gradient = row.gradient.iter().flat_map(|gradient| gradient.numbers());
+    let further = further.chain(gradient).chain(table.other_numbers(row));
+    columns[status + 4..].iter_mut().zip(further).for_each(|(column, x)| column.push_number(x));
 }
 
 /// Writes a table of numbers and texts as Parquet, in one row group. A column that contains a text has the type string, every other column
@@ -170,6 +183,14 @@ impl Column {
             _ => return self.levels.push(0),
         }
         self.levels.push(1);
+    }
+
+    /// Appends a number to a column of numbers.
+    fn push_number(&mut self, number: Option<f64>) {
+        if let (Values::Numbers(values), Some(number)) = (&mut self.values, number) {
+            values.push(number);
+        }
+        self.levels.push(number.is_some().into());
     }
 
     /// Writes the values as the next column of a row group, and removes them.
