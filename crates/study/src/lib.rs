@@ -92,7 +92,7 @@ pub use question::travel::given_travel::{GivenTravel, GivenTravelError};
 pub use question::travel::moved::{LongTravelError, Moved, WheelMotion};
 pub use question::travel::varied_values::{PathPlace, VariedColumn, VariedValues};
 pub use question::travel::vary::{Varied, Vary, VaryError};
-pub use reports::answer_mass::{mass, mass_with_damper, mass_with_drawing, requested_mass};
+pub use reports::answer_mass::{mass, mass_with_drawing, requested_mass};
 pub use reports::assumptions::Assumptions;
 pub use reports::compare::design_changes::{ChangeKind, DesignChange};
 pub use reports::compare::{CompareError, ComparisonReport, ComparisonRow, Design, DesignRecord, compare};

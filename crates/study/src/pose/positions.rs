@@ -4,7 +4,7 @@ use crate::values::quantities::schema_of;
 use nalgebra::Vector3;
 use percuss_dynamics::Pose;
 use percuss_mechanism::{JointId, JointKind, Mechanism};
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::ser::{Serialize, Serializer};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -157,10 +157,6 @@ schema_of!(Positions, std::collections::BTreeMap<String, Vec<f64>>);
 
 impl Serialize for Positions {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for (joint, values) in self.iter() {
-            map.serialize_entry(joint, values)?;
-        }
-        map.end()
+        serializer.collect_map(self.iter())
     }
 }

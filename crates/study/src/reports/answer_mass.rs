@@ -85,25 +85,12 @@ fn other_base(evaluated: &EvaluatedQuestion) -> Result<Option<OtherBaseRecord>, 
     }))
 }
 
-/// Evaluates one contact of a model and the damper for a restitution. The report has no damper, and a warning,
-/// if m̄ is not finite or depends on the branch.
-///
-/// # Errors
-/// [`StudyError`], as for [`mass()`]; a restitution or a stiffness out of range.
-pub fn mass_with_damper(
-    model: &Model,
-    question: &MassQuestion,
-    damping: &DampingQuestion,
-) -> Result<MassReport, StudyError> {
-    let evaluated = EvaluatedQuestion::new(model, question)?;
-    with_compliance(with_damper(&evaluated, damping)?, &evaluated, Some(damping))
-}
-
 /// Effective mass with all results that a study requests for its contact: the damper, the sensitivities, the thresholds of friction and the
-/// effects of tolerances. The contact is evaluated once.
+/// effects of tolerances. The contact is evaluated once. The report has no damper, and a warning, if m̄ is not finite or depends on the branch.
 ///
 /// # Errors
-/// As for [`mass_with_damper`] and [`tolerance_report`](crate::tolerance_report); thresholds of friction for a moment.
+/// As for [`mass()`] and [`tolerance_report`](crate::tolerance_report); a restitution or a stiffness out of range; thresholds of friction for
+/// a moment.
 pub fn requested_mass(
     model: &Model,
     question: &MassQuestion,

@@ -2,7 +2,7 @@
 
 use crate::values::quantities::schema_of;
 use percuss_mechanism::Mechanism;
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::ser::{Serialize, Serializer};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -65,10 +65,6 @@ schema_of!(RowGradient, std::collections::BTreeMap<String, Vec<f64>>);
 
 impl Serialize for RowGradient {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(None)?;
-        for (joint, values) in self.iter() {
-            map.serialize_entry(joint, values)?;
-        }
-        map.end()
+        serializer.collect_map(self.iter())
     }
 }

@@ -5,7 +5,6 @@ use crate::values::position::GivenPosition;
 use percuss_units::{Dimension, Quantity, QuantityError};
 use schemars::JsonSchema;
 use serde::de::{DeserializeOwned, Error};
-use serde::ser::{SerializeMap, SerializeSeq};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 use std::collections::BTreeMap;
 use std::fmt::Display;
@@ -157,11 +156,7 @@ pub(crate) mod text_list {
 
 /// Writes values as a list of texts.
 pub(crate) fn texts<S: Serializer, T: Display>(values: &[T], serializer: S) -> Result<S::Ok, S::Error> {
-    let mut list = serializer.serialize_seq(Some(values.len()))?;
-    for value in values {
-        list.serialize_element(&value.to_string())?;
-    }
-    list.end()
+    serializer.collect_seq(values.iter().map(ToString::to_string))
 }
 
 /// Writes values by name.
@@ -169,11 +164,7 @@ pub(crate) fn by_name_entries<S: Serializer, T: Serialize>(
     values: &[(String, T)],
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(values.len()))?;
-    for (name, value) in values {
-        map.serialize_entry(name, value)?;
-    }
-    map.end()
+    serializer.collect_map(values.iter().map(|(name, value)| (name, value)))
 }
 
 /// Writes texts by name.
@@ -181,11 +172,7 @@ pub(crate) fn by_name_texts<S: Serializer, T: Display>(
     values: &[(String, T)],
     serializer: S,
 ) -> Result<S::Ok, S::Error> {
-    let mut map = serializer.serialize_map(Some(values.len()))?;
-    for (name, value) in values {
-        map.serialize_entry(name, &value.to_string())?;
-    }
-    map.end()
+    serializer.collect_map(values.iter().map(|(name, value)| (name, value.to_string())))
 }
 
 /// Reflected inertias separated by commas (kg·m² or kg, optional units), each a value or RATIO:ROTOR, the ratio of a gear and the inertia of

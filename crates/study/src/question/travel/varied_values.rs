@@ -3,7 +3,7 @@
 use crate::values::quantities::schema_of;
 use percuss_units::Dimension;
 use schemars::JsonSchema;
-use serde::ser::{Serialize, SerializeMap, Serializer};
+use serde::ser::{Serialize, Serializer};
 use std::sync::Arc;
 
 /// Varied column: a component of a joint position, or the travel of a point.
@@ -68,10 +68,6 @@ schema_of!(VariedValues, std::collections::BTreeMap<String, f64>);
 
 impl Serialize for VariedValues {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let mut map = serializer.serialize_map(Some(self.values.len()))?;
-        for (name, value) in self.iter() {
-            map.serialize_entry(name, &value)?;
-        }
-        map.end()
+        serializer.collect_map(self.iter())
     }
 }
