@@ -2,6 +2,7 @@
 //! them out or states the condition.
 
 use crate::terminal::failure::Failure;
+use clap::builder::Resettable;
 use clap::parser::ValueSource;
 use clap::{Arg, ArgMatches, Command};
 
@@ -16,162 +17,48 @@ struct Unread {
     reason: &'static str,
 }
 
-const UNREAD: [Unread; 22] = [
-    Unread {
-        commands: "mass",
-        flags: "limit",
-        with: "",
-        without: "",
-        reason: "percuss damp and percuss export use the stop of a joint; as a contact write --at JOINT:upper",
-    },
-    Unread {
-        commands: "map damp restitution identify response safe-speed extremes generate export",
-        flags: "estimate",
-        with: "",
-        without: "",
-        reason: "percuss mass and percuss sweep show it",
-    },
-    Unread {
-        commands: "sweep map damp restitution identify response safe-speed extremes generate export",
-        flags: "ratio_at",
-        with: "",
-        without: "",
-        reason: "percuss mass shows it",
-    },
-    Unread {
-        commands: "mass sweep damp restitution identify response safe-speed impact extremes compare generate export",
-        flags: "normal_frame",
-        with: "at",
-        without: "normal",
-        reason: "the named contact has a normal of its own",
-    },
-    Unread {
-        commands: "kinematics",
-        flags: "within",
-        with: "",
-        without: "solve",
-        reason: "it belongs to a search: --solve POINT.AXIS",
-    },
-    Unread {
-        commands: "kinematics",
-        flags: "tyre_rate",
-        with: "",
-        without: "sprung_mass",
-        reason: "it belongs to the frequencies: --sprung-mass KG",
-    },
-    Unread {
-        commands: "kinematics",
-        flags: "inboard_brakes inboard_drive",
-        with: "",
-        without: "brake_bias drive_share cg_height wheelbase",
-        reason: "it belongs to the support angles: --brake-bias, --drive-share, --cg-height, --wheelbase",
-    },
-    Unread {
-        commands: "compare",
-        flags: "estimate",
-        with: "",
-        without: "vary",
-        reason: "percuss mass shows it",
-    },
-    Unread {
-        commands: "damp restitution identify",
-        flags: "masses total_mass link_mass link_com link_inertia moves worksheet accept limit",
-        with: "mass",
-        without: "",
-        reason: "it belongs to a model, and --mass is given",
-    },
-    Unread {
-        commands: "restitution",
-        flags: "parameter",
-        with: "",
-        without: "tool",
-        reason: "it belongs to a simulator: --tool NAME",
-    },
-    Unread {
-        commands: "mass",
-        flags: "accuracy time_step other_own_mass diagonal_ratio",
-        with: "",
-        without: "tools",
-        reason: "it belongs to the parameters of a simulator: --for TOOL",
-    },
-    Unread {
-        commands: "damp",
-        flags: "frame normal_frame about_axis own_mass other_own_mass",
-        with: "limit",
-        without: "",
-        reason: "--limit is the stop of a joint",
-    },
-    Unread {
-        commands: "sweep compare",
-        flags: "title x_limits y_limits",
-        with: "",
-        without: "output",
-        reason: "it belongs to a picture: -o FILE.svg",
-    },
-    Unread {
-        commands: "map",
-        flags: "unit decimal",
-        with: "",
-        without: "output format",
-        reason: "it belongs to a table: -o FILE.csv",
-    },
-    Unread {
-        commands: "map",
-        flags: "shapes edge package",
-        with: "directions",
-        without: "",
-        reason: "a map of directions has no facets",
-    },
-    Unread {
-        commands: "map",
-        flags: "at normal along_line turning_normal cable normal_frame",
-        with: "",
-        without: "",
-        reason: "a map uses the outward normals of the surface, or with --directions all directions; use percuss mass for a single contact",
-    },
-    Unread {
-        commands: "map",
-        flags: "about_axis",
-        with: "",
-        without: "",
-        reason: "a map is about contact points; use percuss mass for the effective inertia about an axis",
-    },
-    Unread {
-        commands: "export",
-        flags: "tools",
-        with: "",
-        without: "",
-        reason: "the format of the file selects the simulator (--to)",
-    },
-    Unread {
-        commands: "export",
-        flags: "lock",
-        with: "",
-        without: "",
-        reason: "it is not written to a model of a simulator; replace the joint by a fixed joint in the model file",
-    },
-    Unread {
-        commands: "export",
-        flags: "hold",
-        with: "",
-        without: "",
-        reason: "it is not written to a model of a simulator; add a loop to the model file",
-    },
-    Unread {
-        commands: "export",
-        flags: "armature gear_stiffness",
-        with: "",
-        without: "",
-        reason: "it is not written to a model of a simulator; write it into the model file",
-    },
-    Unread {
-        commands: "export",
-        flags: "against_mass",
-        with: "",
-        without: "",
-        reason: "it is not written to a model of a simulator; add the body to the model file and name it by --against",
-    },
-];
+/// Declares the rules; an absent list is empty.
+macro_rules! rules {
+    ($($commands:literal: $flags:literal $(with $with:literal)? $(without $without:literal)? => $reason:literal;)*) => {
+        &[$(Unread {
+            commands: $commands,
+            flags: $flags,
+            with: concat!($($with)?),
+            without: concat!($($without)?),
+            reason: $reason,
+        },)*]
+    };
+}
+
+const UNREAD: &[Unread] = rules! {
+    "mass": "limit" => "percuss damp and percuss export use the stop of a joint; as a contact write --at JOINT:upper";
+    "map damp restitution identify response safe-speed extremes generate export": "estimate" => "percuss mass and percuss sweep show it";
+    "sweep map damp restitution identify response safe-speed extremes generate export": "ratio_at" => "percuss mass shows it";
+    "mass sweep damp restitution identify response safe-speed impact extremes compare generate export": "normal_frame" with "at" without "normal"
+        => "the named contact has a normal of its own";
+    "kinematics": "within" without "solve" => "it belongs to a search: --solve POINT.AXIS";
+    "kinematics": "tyre_rate" without "sprung_mass" => "it belongs to the frequencies: --sprung-mass KG";
+    "kinematics": "inboard_brakes inboard_drive" without "brake_bias drive_share cg_height wheelbase"
+        => "it belongs to the support angles: --brake-bias, --drive-share, --cg-height, --wheelbase";
+    "compare": "estimate" without "vary" => "percuss mass shows it";
+    "damp restitution identify": "masses total_mass link_mass link_com link_inertia moves worksheet accept limit" with "mass"
+        => "it belongs to a model, and --mass is given";
+    "restitution": "parameter" without "tool" => "it belongs to a simulator: --tool NAME";
+    "mass": "accuracy time_step other_own_mass diagonal_ratio" without "tools"
+        => "it belongs to the parameters of a simulator: --for TOOL";
+    "damp": "frame normal_frame about_axis own_mass other_own_mass" with "limit" => "--limit is the stop of a joint";
+    "sweep compare": "title x_limits y_limits" without "output" => "it belongs to a picture: -o FILE.svg";
+    "map": "unit decimal" without "output format" => "it belongs to a table: -o FILE.csv";
+    "map": "shapes edge package" with "directions" => "a map of directions has no facets";
+    "map": "at normal along_line turning_normal cable normal_frame"
+        => "a map uses the outward normals of the surface, or with --directions all directions; use percuss mass for a single contact";
+    "map": "about_axis" => "a map is about contact points; use percuss mass for the effective inertia about an axis";
+    "export": "tools" => "the format of the file selects the simulator (--to)";
+    "export": "lock" => "it is not written to a model of a simulator; replace the joint by a fixed joint in the model file";
+    "export": "hold" => "it is not written to a model of a simulator; add a loop to the model file";
+    "export": "armature gear_stiffness" => "it is not written to a model of a simulator; write it into the model file";
+    "export": "against_mass" => "it is not written to a model of a simulator; add the body to the model file and name it by --against";
+};
 
 /// Words of a list of a rule.
 fn words(list: &'static str) -> impl Iterator<Item = &'static str> {
@@ -204,7 +91,10 @@ impl Unread {
             if !words(self.flags).any(|id| argument.get_id() == id) {
                 return argument;
             }
-            let Some(condition) = &condition else { return argument.hide(true) };
+            // A hidden flag is refused with its reason, beside any other flag.
+            let Some(condition) = &condition else {
+                return argument.hide(true).conflicts_with(Resettable::Reset);
+            };
             let help = argument.get_help().map(|help| format!("{help}{condition}")).unwrap_or_default();
             match argument.get_long_help().map(|help| format!("{help}{condition}")) {
                 Some(long) => argument.help(help).long_help(long),
@@ -253,7 +143,7 @@ mod tests {
     #[test]
     fn the_help_follows_the_table() {
         let program = Cli::definition();
-        for rule in &UNREAD {
+        for rule in UNREAD {
             for flag in words(rule.flags) {
                 let mut found = 0;
                 for command in words(rule.commands) {

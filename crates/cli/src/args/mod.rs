@@ -65,7 +65,9 @@ impl Cli {
             false => argument,
         };
         // Fixed name: on Windows the file name has an extension.
-        mark_unread(Self::command().bin_name("percuss").mut_subcommands(|command| command.mut_args(with_minus)))
+        mark_unread(
+            Self::command().bin_name("percuss").mut_subcommands(|command| command.mut_args(with_minus)),
+        )
     }
 }
 

@@ -48,7 +48,9 @@ pub(crate) fn collect_pose_findings(system: &System, pose: &Pose, names: Names) 
 /// Findings about the conditions of a question: gears that are rigid, joints that turn more than once.
 pub(crate) fn condition_findings(mechanism: &Mechanism, question: &MassQuestion) -> Vec<Finding> {
     let mut found = Vec::new();
-    if !question.conditions.gear_stiffness.is_empty() || mechanism.joints().iter().any(|joint| joint.gear().is_some()) {
+    if !question.conditions.gear_stiffness.is_empty()
+        || mechanism.joints().iter().any(|joint| joint.gear().is_some())
+    {
         let message = "the gears are rigid in this result; percuss mass states the effect of their stiffness, percuss response the \
                        vibrations";
         found.push(Finding::about_result(FindingKind::GearsRigid, message.to_owned()));

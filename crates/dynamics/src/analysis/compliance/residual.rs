@@ -141,7 +141,8 @@ impl ElasticSystem {
     /// Solves RᵀKR x = f with the stiffness K of the rigid rows B by the triangle of √k B R = Q T: the condition is the root of that of K. `None` for
     /// a singular triangle.
     fn solve_by_roots(&self, range: &DMatrix<f64>, force: &DVector<f64>) -> Option<DVector<f64>> {
-        let rigid: Vec<&ElasticRow> = self.rows.iter().filter(|row| row.is_rigid && row.is_elastic()).collect();
+        let rigid: Vec<&ElasticRow> =
+            self.rows.iter().filter(|row| row.is_rigid && row.is_elastic()).collect();
         let roots = DMatrix::from_fn(rigid.len(), self.contact.len(), |r, c| {
             rigid[r].stiffness.sqrt() * rigid[r].row[c]
         });
