@@ -67,13 +67,7 @@ pub struct ImportArgs {
     /// Vehicle axes of the file: iso, adams, sae, rfactor, or such as "-z x y".
     ///
     /// Three axes of the file with their signs: those that point forward, left and up. Not for a sheet, which contains its axes. Default of a JSON: ISO 8855.
-    #[arg(
-        long,
-        value_name = "AXES",
-        value_parser = vehicle_axes,
-        allow_hyphen_values = true,
-        help_heading = FILE
-    )]
+    #[arg(long, value_name = "AXES", value_parser = vehicle_axes, allow_hyphen_values = true, help_heading = FILE)]
     pub axes: Option<VehicleAxes>,
     /// Template of a table.
     ///
@@ -112,13 +106,7 @@ pub struct ImportArgs {
     /// Shift a hardpoint of the sheet (m; 5mm).
     ///
     /// The shift is in the axes of the sheet; numbers without a unit are in m.
-    #[arg(
-        long = "move",
-        value_name = "POINT=X,Y,Z",
-        value_parser = point_shift,
-        allow_hyphen_values = true,
-        help_heading = CAR
-    )]
+    #[arg(long = "move", value_name = "POINT=X,Y,Z", value_parser = point_shift, allow_hyphen_values = true, help_heading = CAR)]
     pub moves: Vec<(String, Point)>,
     /// Refuse files larger than this many bytes.
     #[arg(long, default_value_t = DEFAULT_MAX_SIZE, value_name = "BYTES", help_heading = FILE)]

@@ -44,13 +44,7 @@ pub struct KinematicsArgs {
     ///
     /// A quantity of a spring, damper or stop names it: bump_stop.motion_ratio, bump_stop_left.motion_ratio; the same as the column
     /// motion_ratio_bump_stop. bump_stop.mass is the effective mass at the touch of the stop, and so for every named contact.
-    #[arg(
-        long = "for",
-        id = "required",
-        value_name = "QUANTITY=VALUE",
-        requires = "solve",
-        help_heading = SEARCH
-    )]
+    #[arg(long = "for", id = "required", value_name = "QUANTITY=VALUE", requires = "solve", help_heading = SEARCH)]
     pub required: Vec<KinematicTarget>,
     /// Closing speed of the contact, for --for bump_stop.peak_force=4kN, .compression=25mm, .restitution=0.3.
     ///

@@ -24,12 +24,7 @@ pub struct MapArgs {
     #[arg(long, value_enum, default_value_t = MassFormat::Text, help_heading = OUTPUT)]
     pub format: MassFormat,
     /// Number of threads; default: the number of processors. Results do not depend on it.
-    #[arg(
-        long,
-        value_name = "COUNT",
-        value_parser = clap::value_parser!(u16).range(1..=1024),
-        help_heading = OUTPUT
-    )]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = OUTPUT)]
     pub threads: Option<u16>,
 }
 

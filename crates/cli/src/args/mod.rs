@@ -259,12 +259,7 @@ pub struct SweepArgs {
     #[command(flatten)]
     pub writing: WritingArgs,
     /// Number of threads; default: the number of processors. Results do not depend on it.
-    #[arg(
-        long,
-        value_name = "COUNT",
-        value_parser = clap::value_parser!(u16).range(1..=1024),
-        help_heading = OUTPUT
-    )]
+    #[arg(long, value_name = "COUNT", value_parser = clap::value_parser!(u16).range(1..=1024), help_heading = OUTPUT)]
     pub threads: Option<u16>,
 }
 

@@ -99,11 +99,7 @@ pub struct ContactTable {
     /// both sides, both stops touch.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "NAME",
-            conflicts_with_all = ["link", "point", "along_line", "about_axis", "frame", "against"]
-        )
+        arg(long, value_name = "NAME", conflicts_with_all = ["link", "point", "along_line", "about_axis", "frame", "against"])
     )]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub at: Option<String>,
@@ -127,11 +123,7 @@ pub struct ContactTable {
     /// effective inertia: kg·m² in place of kg, rad/s in place of m/s, N·m·s in place of N·s. The length of the axis has no effect.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "X,Y,Z",
-            conflicts_with_all = ["point", "normal", "along_line", "against_mass", "estimate"]
-        )
+        arg(long, value_name = "X,Y,Z", conflicts_with_all = ["point", "normal", "along_line", "against_mass", "estimate"])
     )]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub about_axis: Option<Vector>,
@@ -179,10 +171,7 @@ pub struct ContactTable {
     /// The total mass of these links is reduced to the contact by the motion ratio of point A (m, frame of the first
     /// link; default: its origin) along a direction (world axes; default: upwards in a suspension, otherwise the
     /// path of A).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", help_heading = ADDITIONAL)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK[,LINK…][:X,Y,Z[:DX,DY,DZ]]", help_heading = ADDITIONAL))]
     #[serde(skip_serializing_if = "Option::is_none")]
     pub estimate: Option<EstimateQuestion>,
     /// Motion ratio at this point (m, link frame), along a direction (world axes; default z).
@@ -202,18 +191,12 @@ pub struct PoseTable {
     /// Position of a driving joint (m, rad; 30deg, 5mm).
     ///
     /// Driving joints without a position are at 0. Spherical: w,x,y,z; planar: x,y,angle; floating: x,y,z,w,x,y,z.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position))]
     #[serde(with = "value::named_positions", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub set: Vec<(String, GivenPosition)>,
     /// Initial guess of a joint that depends on other joints through loops; selects the assembly mode.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_position))]
     #[serde(with = "value::named_positions", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub guess: Vec<(String, GivenPosition)>,
@@ -245,10 +228,7 @@ pub struct ConditionsTable {
     ///
     /// One value, or one per velocity, separated by commas. RATIO:ROTOR, such as 100:1e-5kg·m², is the ratio of the gear and the inertia of the
     /// rotor about its own axis: ratio² · inertia is added. --gear is the same flag.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, alias = "gear")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT=VALUE", value_parser = named::joint_armature, alias = "gear"))]
     #[serde(with = "value::named_armatures", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, PositionText>")]
     pub armature: Vec<(String, Vec<f64>)>,

@@ -44,10 +44,7 @@ impl From<LanguageName> for Language {
 #[serde(deny_unknown_fields, default)]
 pub struct CodeQuestion {
     /// Folder of the files; default: the current folder.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, short, value_name = "FOLDER", default_value = ".", help_heading = OUTPUT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, short, value_name = "FOLDER", default_value = ".", help_heading = OUTPUT))]
     pub output: Option<String>,
     /// Language of the code.
     #[cfg_attr(feature = "flags", arg(long, value_enum, default_value_t, help_heading = OUTPUT))]

@@ -241,12 +241,7 @@ pub struct ExtremesQuestion {
     /// range of a joint or of a travel gives the rows.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "FILE|RANGE",
-            allow_hyphen_values = true,
-            conflicts_with_all = ["range", "keep"]
-        )
+        arg(long, value_name = "FILE|RANGE", allow_hyphen_values = true, conflicts_with_all = ["range", "keep"])
     )]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
@@ -278,10 +273,7 @@ pub struct ExtremesQuestion {
     #[cfg_attr(feature = "flags", arg(long, value_name = "P", requires = "stiffness", help_heading = IMPACT))]
     pub exponent: Option<Plain>,
     /// Contact law (damp --list-laws), for peak:JOINT.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "NAME", requires = "stiffness", help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "NAME", requires = "stiffness", help_heading = IMPACT))]
     #[serde(deserialize_with = "value::some_word")]
     #[schemars(with = "Option<String>")]
     pub law: Option<LawName>,
@@ -313,10 +305,7 @@ pub struct ExtremesQuestion {
     #[cfg_attr(feature = "flags", arg(long, value_name = "RATIO", requires = "certify"))]
     pub mass_tolerance: Option<Ratio>,
     /// Number of starts of the search; default 32.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=2_000))
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=2_000)))]
     pub starts: Option<u16>,
     /// End of the contact of the law; no key gives it.
     #[cfg_attr(feature = "flags", arg(skip))]

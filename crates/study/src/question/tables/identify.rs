@@ -46,13 +46,7 @@ pub struct IdentifyQuestion {
     /// Names of all columns in place of the head, separated by commas: time [ms],force [kN],- (-: not used).
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "NAMES",
-            value_delimiter = ',',
-            allow_hyphen_values = true,
-            help_heading = READING
-        )
+        arg(long, value_name = "NAMES", value_delimiter = ',', allow_hyphen_values = true, help_heading = READING)
     )]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
@@ -66,10 +60,7 @@ pub struct IdentifyQuestion {
     #[schemars(with = "Option<value::OneOrMany<value::NumberOrText>>")]
     pub speed: Vec<Speed>,
     /// Height of a free fall onto the contact (m): gives the speed, and the weight acts.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "H", conflicts_with = "speed", help_heading = IMPACT)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "H", conflicts_with = "speed", help_heading = IMPACT))]
     pub drop: Option<Length>,
     /// The weight acts along the motion, as on a falling body; --gravity=0: it does not (m/s²; 9.80665).
     #[cfg_attr(

@@ -94,11 +94,7 @@ pub struct ImpactQuestion {
     /// Coefficient of restitution, from 0 to 1.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "E",
-            required_unless_present_any = ["reflected", "damping", "hunt_crossley", "loss_factor"]
-        )
+        arg(long, value_name = "E", required_unless_present_any = ["reflected", "damping", "hunt_crossley", "loss_factor"])
     )]
     #[schemars(required)]
     pub restitution: Option<Ratio>,
@@ -106,27 +102,17 @@ pub struct ImpactQuestion {
     ///
     /// The restitution is that of this damping for the effective mass at the touch and the closing speed. Units: N·s/m, N·s/mm; with an
     /// exponent p the number is in N·s/m^((p+1)/2).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "C", conflicts_with_all = ["restitution", "law", "reach"])
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "C", conflicts_with_all = ["restitution", "law", "reach"]))]
     pub damping: Option<Damping>,
     /// Dissipation of the contact, in place of a restitution: d of k x^p (1 + d v), or of a force curve (s/m).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "D", conflicts_with_all = ["restitution", "damping", "law", "reach"])
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "D", conflicts_with_all = ["restitution", "damping", "law", "reach"]))]
     pub hunt_crossley: Option<Plain>,
     /// Loss factor of the contact, in place of a restitution: η of F (1 + (π/2) η sgn v), F = k x^p or a force curve.
     ///
     /// Energy lost in a full cycle over 2π times the largest stored energy, from 0 to less than 2/π = 0.6366.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "ETA",
-            conflicts_with_all = ["restitution", "damping", "hunt_crossley", "law", "reach"]
-        )
+        arg(long, value_name = "ETA", conflicts_with_all = ["restitution", "damping", "hunt_crossley", "law", "reach"])
     )]
     pub loss_factor: Option<Plain>,
     /// Closing speed before the impact (m/s, km/h).
@@ -203,12 +189,7 @@ pub struct ImpactQuestion {
     /// point the last slope continues. Default: the curve of the stop in a suspension sheet.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "FILE",
-            value_parser = GivenCurve::read,
-            conflicts_with_all = ["stiffness", "exponent"]
-        )
+        arg(long, value_name = "FILE", value_parser = GivenCurve::read, conflicts_with_all = ["stiffness", "exponent"])
     )]
     pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p.
@@ -254,10 +235,7 @@ pub struct ImpactQuestion {
     ///
     /// Stiffness (N·m/rad, N·m/deg, N/m), damping (N·m·s/rad, N·s/m), and the position without force (rad, deg, m); default: that at the
     /// touch. Numbers without units are in SI units.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT=K,D", value_parser = named::joint_spring, requires = "in_time")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT=K,D", value_parser = named::joint_spring, requires = "in_time"))]
     #[serde(deserialize_with = "drives::by_joint")]
     #[schemars(with = "BTreeMap<String, value::OneOrMany<NumberOrText>>")]
     pub joint_spring: Vec<(String, GivenSpring)>,
@@ -298,10 +276,7 @@ pub struct ImpactQuestion {
     /// Free: all other joints move. Held: the other driving joints are at rest. JOINT=FROM:TO:COUNT gives the inertia over a range of
     /// positions, and two substitutes for simulators without loops with their errors: the best constant armature, and mimic joints with an
     /// armature. Reflected inertias require neither a contact nor --restitution.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "JOINT", allow_hyphen_values = true, help_heading = ADDITIONAL)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "JOINT", allow_hyphen_values = true, help_heading = ADDITIONAL))]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub reflected: Vec<String>,
@@ -338,10 +313,7 @@ pub struct ImpactQuestion {
     /// Largest displacement of the contact point: worst impulse at the joints of --percussion.
     ///
     /// The point is displaced in the tangent plane, in the worst direction (m; 5mm).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "DISTANCE", requires = "percussion", help_heading = ADDITIONAL)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "DISTANCE", requires = "percussion", help_heading = ADDITIONAL))]
     pub point_error: Option<Length>,
     /// End of the contact of the law; no key gives it.
     #[cfg_attr(feature = "flags", arg(skip))]

@@ -103,10 +103,7 @@ pub struct VehicleData {
     #[cfg_attr(feature = "flags", arg(long, value_name = "RATE"))]
     pub tyre_rate: Option<Stiffness>,
     /// Motion of the wheels per load, with the bushes of the sheet: loads on a single wheel, parallel or opposed on both; default: single.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "WHEELS", value_enum, num_args = 0..=1, default_missing_value = "single")
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "WHEELS", value_enum, num_args = 0..=1, default_missing_value = "single"))]
     pub compliance: Option<WheelLoads>,
     /// With the compliance, the heights of the wheel centres are held; without this, the springs hold the wheels.
     #[cfg_attr(feature = "flags", arg(long, requires = "compliance"))]

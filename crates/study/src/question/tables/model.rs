@@ -52,12 +52,7 @@ pub struct ModelTable {
     /// their masses. A warning marks the results as estimates.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "shapes[:DENSITY]",
-            value_parser = value::density_of_shapes,
-            help_heading = READING
-        )
+        arg(long, value_name = "shapes[:DENSITY]", value_parser = value::density_of_shapes, help_heading = READING)
     )]
     #[serde(
         default,
@@ -74,18 +69,12 @@ pub struct ModelTable {
     /// Change the mass of a link (kg).
     ///
     /// The moments of inertia about the centre of mass are scaled by the same factor.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "LINK=KG", value_parser = named::link_mass, allow_hyphen_values = true)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK=KG", value_parser = named::link_mass, allow_hyphen_values = true))]
     #[serde(default, with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Mass>")]
     pub link_mass: Vec<(String, Mass)>,
     /// Change the centre of mass of a link (m, link frame).
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "LINK=X,Y,Z", value_parser = named::link_com, allow_hyphen_values = true)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "LINK=X,Y,Z", value_parser = named::link_com, allow_hyphen_values = true))]
     #[serde(default, with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Point>")]
     pub link_com: Vec<(String, Point)>,
@@ -95,12 +84,7 @@ pub struct ModelTable {
     /// kg m2, kg mm2, lb in2.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "LINK=IXX,IYY,IZZ",
-            value_parser = named::link_inertia,
-            allow_hyphen_values = true
-        )
+        arg(long, value_name = "LINK=IXX,IYY,IZZ", value_parser = named::link_inertia, allow_hyphen_values = true)
     )]
     #[serde(default, with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Moments>")]
@@ -110,12 +94,7 @@ pub struct ModelTable {
     /// The shift is in the axes of the sheet; numbers without a unit are in m.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long = "move",
-            value_name = "POINT=X,Y,Z",
-            value_parser = named::point_shift,
-            allow_hyphen_values = true
-        )
+        arg(long = "move", value_name = "POINT=X,Y,Z", value_parser = named::point_shift, allow_hyphen_values = true)
     )]
     #[serde(default, rename = "move", with = "value::named_values", skip_serializing_if = "Vec::is_empty")]
     #[schemars(with = "BTreeMap<String, Point>")]

@@ -84,10 +84,7 @@ impl TryFrom<NumberOrText> for FrequencyRange {
 #[serde(deny_unknown_fields, default)]
 pub struct ResponseQuestion {
     /// Frequencies (Hz, kHz) in equal ratios; default 1:2000Hz:400.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "FROM:TO:COUNT", allow_hyphen_values = true, help_heading = ROWS)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "FROM:TO:COUNT", allow_hyphen_values = true, help_heading = ROWS))]
     #[schemars(with = "Option<String>")]
     pub frequency: Option<FrequencyRange>,
     /// Responses over frequency: .csv .xlsx .parquet .svg .png .pdf

@@ -92,10 +92,7 @@ pub struct SafeSpeedQuestion {
     /// Largest energy of the impact (J): 1/2 μ v².
     ///
     /// The value is given by the standard. Without a region, μ is the effective mass of the robot.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "E", conflicts_with_all = ["force", "pressure", "momentum"])
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "E", conflicts_with_all = ["force", "pressure", "momentum"]))]
     pub energy: Option<Energy>,
     /// Largest exchanged momentum (N·s): μ v.
     ///
@@ -113,22 +110,14 @@ pub struct SafeSpeedQuestion {
     /// Direction with the largest effective mass.
     ///
     /// It replaces the normal.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, conflicts_with_all = ["normal", "along_line"], help_heading = WHICH)
-    )]
+    #[cfg_attr(feature = "flags", arg(long, conflicts_with_all = ["normal", "along_line"], help_heading = WHICH))]
     pub worst_direction: bool,
     /// File of positions; the slowest row counts.
     ///
     /// The format is that of percuss sweep. The row with the lowest speed is the result.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "FILE.csv|.parquet",
-            conflicts_with_all = ["direction", "worst_direction"],
-            help_heading = WHICH
-        )
+        arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["direction", "worst_direction"], help_heading = WHICH)
     )]
     pub input: Option<String>,
     /// Ignore a column of the file of positions.
@@ -169,7 +158,10 @@ pub struct SafeSpeedQuestion {
     #[schemars(with = "Option<String>")]
     pub normals: Option<GivenNormals>,
     /// Edge X,Y,Z of a patch of contact points of a proof; twice: a parallelogram.
-    #[cfg_attr(feature = "flags", arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, requires = "certify", help_heading = WHICH))]
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, value_name = "X,Y,Z", allow_hyphen_values = true, requires = "certify", help_heading = WHICH)
+    )]
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub edge: Vec<GivenEdge>,

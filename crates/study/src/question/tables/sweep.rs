@@ -150,10 +150,7 @@ pub struct SweepQuestion {
     ///
     /// The rows are followed as a path. Each joint has a column (`JOINT[0]`, `JOINT[1]`, … if the joint has several
     /// numbers). A unit other than SI follows the name: `elbow [deg]`. - reads the standard input.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["vary", "random"])
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "FILE.csv|.parquet", conflicts_with_all = ["vary", "random"]))]
     pub input: Option<String>,
     /// Ignore a column of the file of positions.
     #[cfg_attr(feature = "flags", arg(long, value_name = "COLUMN"))]

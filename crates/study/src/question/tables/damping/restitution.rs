@@ -62,12 +62,7 @@ pub struct RestitutionQuestion {
     /// As --stiffness-curve of `percuss damp`. Default without a stiffness: the curve of the stop in a suspension sheet.
     #[cfg_attr(
         feature = "flags",
-        arg(
-            long,
-            value_name = "CURVE",
-            value_parser = GivenCurve::read,
-            conflicts_with_all = ["stiffness", "exponent", "tool"]
-        )
+        arg(long, value_name = "CURVE", value_parser = GivenCurve::read, conflicts_with_all = ["stiffness", "exponent", "tool"])
     )]
     pub stiffness_curve: Option<GivenCurve>,
     /// Exponent p of the spring force k x^p; default 1.
@@ -85,10 +80,7 @@ pub struct RestitutionQuestion {
     ///
     /// Energy lost in a full cycle over 2π times the largest stored energy, from 0 to less than 2/π = 0.6366; for one compression and return
     /// the lost over π times the stored energy.
-    #[cfg_attr(
-        feature = "flags",
-        arg(long, value_name = "ETA", conflicts_with_all = ["damping", "hunt_crossley", "tool"])
-    )]
+    #[cfg_attr(feature = "flags", arg(long, value_name = "ETA", conflicts_with_all = ["damping", "hunt_crossley", "tool"]))]
     pub loss_factor: Option<Plain>,
     /// End of the contact: when the force vanishes (the default), or when the gap closes.
     #[cfg_attr(feature = "flags", arg(long, value_enum, requires = "damping"))]
