@@ -272,8 +272,7 @@ pub(crate) fn springs_finding(
     };
     let lasts = format!("the contact lasts {:.1} ms, in which", 1e3 * duration);
     if names.is_empty() {
-        let message =
-            format!("{lasts} other forces of the model act{left_out}; an impact in time includes them");
+        let message = format!("{lasts} forces act that are not estimated: {}", unknown.join(", "));
         return Ok(Some(Finding::about_result(FindingKind::SpringsAct, message)));
     }
     let beside = restitution_beside_forces(damper, compliant, speed, &force)?;
