@@ -163,27 +163,27 @@ fn every_difference_of_a_written_model_is_reported() {
 #[test]
 fn parts_that_are_not_read_are_reported() {
     let folder = Scratch::new("conversion-unread");
-    let mjcf = r#"<mujoco><option timestep="0.01"/><worldbody><body name="a"><joint name="j" damping="2" stiffness="3"/>
+    let mjcf = r#"<mujoco><option timestep="0.01"/><worldbody><body name="a"><joint name="j" frictionloss="2" margin="3"/>
         <geom size="0.1" friction="1 0 0"/><camera name="c"/></body></worldbody><sensor><jointpos joint="j"/></sensor></mujoco>"#;
     let sdf = r#"<sdf version="1.7"><model name="m"><link name="a"><inertial><mass>1</mass></inertial><sensor name="s" type="imu"/>
         <visual name="v"><geometry><sphere><radius>1</radius></sphere></geometry><material/></visual></link><joint name="j" type="revolute">
-        <parent>world</parent><child>a</child><axis><xyz>0 0 1</xyz><dynamics><damping>2</damping></dynamics></axis></joint></model></sdf>"#;
+        <parent>world</parent><child>a</child><axis><xyz>0 0 1</xyz><dynamics><friction>2</friction></dynamics></axis></joint></model></sdf>"#;
     let urdf = r#"<robot name="r"><link name="w"/><link name="a"><inertial><mass value="1"/><inertia ixx="1" ixy="0" ixz="0" iyy="1" iyz="0"
         izz="1"/></inertial><visual><geometry><sphere radius="1"/></geometry><material name="red"/></visual></link><joint name="j" type="continuous">
-        <parent link="w"/><child link="a"/><dynamics damping="2"/></joint><transmission name="t"/><cable/></robot>"#;
+        <parent link="w"/><child link="a"/><dynamics friction="2"/></joint><transmission name="t"/><cable/></robot>"#;
     for (name, text, expected) in [
         (
             "a.xml",
             mjcf,
-            ["damping of <joint>", "stiffness of <joint>", "<camera>", "<sensor>", "timestep of <option>"]
+            ["frictionloss of <joint>", "margin of <joint>", "<camera>", "<sensor>", "timestep of <option>"]
                 .as_slice(),
         ),
-        ("a.sdf", sdf, ["<sensor> in <link>", "<dynamics> in <axis>", "<material> in <visual>"].as_slice()),
+        ("a.sdf", sdf, ["<sensor> in <link>", "<friction> in <dynamics>", "<material> in <visual>"].as_slice()),
         (
             "a.urdf",
             urdf,
             [
-                "damping of <dynamics>",
+                "friction of <dynamics>",
                 "name of <transmission>",
                 "unknown element <cable>",
                 "<material> in <visual>",

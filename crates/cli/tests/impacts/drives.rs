@@ -271,7 +271,7 @@ fn dampers_of_the_sheet_act() {
         assert!((restitution(&car, "--springs none") - none).abs() < 1e-12, "{keys}");
         assert!(of_sheet < none - 0.01, "{keys}: {of_sheet} {none}");
         let warned = percuss(&format!("damp --mass-from {car} {line}"));
-        assert!(warned.stderr.contains("springs and dampers of the sheet act"), "{}", warned.stderr);
+        assert!(warned.stderr.contains("springs and dampers of the model act"), "{}", warned.stderr);
     }
     for keys in
         ["speeds = [0, 1]", "damping = 1500", "speeds = [0, 1]\nforces = [0, -5]", "damping = \"-3 N·s/m\""]
