@@ -35,7 +35,7 @@ const FLAGS: [(&str, RemarkFlags); 15] = [
 ];
 
 /// Findings without a flag, and the reason. They are in the reports of all interfaces.
-const WITHOUT_FLAG: [(&str, &str); 13] = [
+const WITHOUT_FLAG: [(&str, &str); 14] = [
     ("drivers-chosen", "a note about the drivers of the assembly"),
     (
         "far-from-guess",
@@ -45,6 +45,7 @@ const WITHOUT_FLAG: [(&str, &str); 13] = [
     ("hold-pulls", "about held contacts of a question"),
     ("hold-undetermined", "about held contacts of a question"),
     ("immovable-mechanism", "about the mass against a body; the outcome has it"),
+    ("joint-springs", "a note about the file: Joint::spring"),
     ("many-turns", "a continuous joint has no limits; a number in a program is in rad"),
     ("point-converted", "about frames of a question"),
     ("point-mass-base", "about the base of a question"),
