@@ -1870,7 +1870,8 @@ PERCUSS_NODISCARD percuss_status percuss_pose_contact_row(const struct percuss_p
  The pose at which a stop touches, and its contact, as the command `percuss mass --at STOP`. stop: the name of a contact of the model,
  or the stop of a joint, JOINT:lower or JOINT:upper. The mechanism moves from the pose of the configuration until the gap is closed; joints
  that are set keep their positions, and if no other joint moves the stop, the gap stays open (PERCUSS_REMARK_OPEN_GAP). Free the
- pose with percuss_pose_free.
+ pose with percuss_pose_free. Findings about the path to the touch, such as a stop that touches while the wheel moves the wrong way, are in the
+ diagnostics of the report of percuss_ask with "contact": {"at": STOP}.
 
  Errors: PERCUSS_ERROR_NAME: an unknown stop. PERCUSS_ERROR_ASSEMBLY: a stop that is out of reach, with the smallest gap; loops that do not close.
 

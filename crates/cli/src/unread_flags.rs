@@ -44,7 +44,7 @@ const UNREAD: &[Unread] = rules! {
     "damp restitution identify": "masses total_mass link_mass link_com link_inertia moves worksheet accept limit" with "mass"
         => "it belongs to a model, and --mass is given";
     "restitution": "parameter" without "tool" => "it belongs to a simulator: --tool NAME";
-    "mass": "accuracy time_step other_own_mass diagonal_ratio" without "tools"
+    "mass damp": "accuracy time_step other_own_mass diagonal_ratio" without "tools"
         => "it belongs to the parameters of a simulator: --for TOOL";
     "damp": "frame normal_frame about_axis own_mass other_own_mass" with "limit" => "--limit is the stop of a joint";
     "sweep compare": "title x_limits y_limits" without "output" => "it belongs to a picture: -o FILE.svg";
@@ -95,11 +95,10 @@ impl Unread {
             let Some(condition) = &condition else {
                 return argument.hide(true).conflicts_with(Resettable::Reset);
             };
-            let help = argument.get_help().map(|help| format!("{help}{condition}")).unwrap_or_default();
-            match argument.get_long_help().map(|help| format!("{help}{condition}")) {
-                Some(long) => argument.help(help).long_help(long),
-                None => argument.help(help),
-            }
+            // The short help has no room for conditions.
+            let help = argument.get_long_help().or_else(|| argument.get_help());
+            let help = help.map(|help| format!("{help}{condition}")).unwrap_or_default();
+            argument.long_help(help)
         })
     }
 }
@@ -152,7 +151,7 @@ mod tests {
                         continue;
                     };
                     found += 1;
-                    let help = argument.get_help().map(ToString::to_string).unwrap_or_default();
+                    let help = argument.get_long_help().map(ToString::to_string).unwrap_or_default();
                     match rule.condition(command) {
                         Some(condition) => {
                             assert!(argument.is_hide_set() || help.contains(&condition), "{flag}: {help}")

@@ -570,3 +570,31 @@ fn handles_hold_in_variants_and_nowhere_else() {
     assert!(short.mechanism().has_joint(joint) && !other.mechanism().has_joint(joint));
     assert!(!other.is_locked(joint));
 }
+
+/// A free body translates without rotation under a force through its centre of mass, and rotates without translation under a moment: it
+/// moves in both. A held body does not move.
+#[test]
+fn a_body_that_only_translates_or_rotates_moves() {
+    let body = |base| {
+        let free = Inertial::diagonal(2.0, [0.0; 3], [0.1, 0.2, 0.3]);
+        let builder = MechanismBuilder::new("body").link(LinkDescription::new("body", free));
+        system(builder, &Conditions::new().base(base))
+    };
+    let link = |system: &System| system.mechanism().root();
+    let free = body(Base::Floating);
+    let force = Contact::new(link(&free), [0.0; 3], [1.0, 0.0, 0.0]);
+    let moment = Contact { normal: Direction::About(Vector3::z(), Frame::Link), ..force };
+    let pose = free.pose(&free.configuration()).expect("a pose");
+    for (contact, mass) in [(force, 2.0), (moment, 0.3)] {
+        let response = pose.respond(&contact).expect("a response");
+        let EffectiveMass::Finite(found) = response.effective_mass else { panic!("{response:?}") };
+        assert!((found - mass).abs() < 1e-15);
+        let velocity = &response.base_velocity;
+        assert!(velocity.angular.norm() == 0.0 || velocity.linear.norm() == 0.0);
+        assert!(response.mechanism_moves());
+    }
+    let held = body(Base::Fixed);
+    let pose = held.pose(&held.configuration()).expect("a pose");
+    let response = pose.respond(&Contact { link: link(&held), ..force }).expect("a response");
+    assert!(response.effective_mass == EffectiveMass::Immovable && !response.mechanism_moves());
+}

@@ -146,6 +146,23 @@ fn painleve_begins_at_four_thirds() {
     assert_eq!(jamming_threshold(&Matrix3::identity()), None);
 }
 
+/// The thresholds are ratios of mobilities: they do not depend on the unit of mass. A coupling by rounding is none in every unit.
+#[test]
+fn thresholds_do_not_depend_on_the_unit_of_mass() {
+    for unit in [1e-9, 1e-3, 1e3, 1e9] {
+        for angle in [0.3, 0.8, 1.4] {
+            let [scaled, plain] = [rod(angle) * unit, rod(angle)];
+            for threshold in [jamming_threshold, sticking_threshold] {
+                let [a, b] = [&scaled, &plain].map(|mobility| threshold(mobility).expect("a threshold"));
+                assert!((a / b - 1.0).abs() < 1e-14, "{unit} {angle}: {a} {b}");
+            }
+        }
+        let mut nearly_free = Matrix3::identity() * unit;
+        (nearly_free[(1, 0)], nearly_free[(0, 1)]) = (1e-15 * unit, 1e-15 * unit);
+        assert_eq!(jamming_threshold(&nearly_free), None, "{unit}");
+    }
+}
+
 #[test]
 fn a_sphere_stops_sliding_within_the_cone() {
     // A solid sphere of mass 1: a_tt = 7/2. It sticks if |u_t| ≤ 7/2 µ (1+e) |u_n|, in every direction.

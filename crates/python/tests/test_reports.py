@@ -514,9 +514,9 @@ def test_ask_answers_the_tables_of_a_study() -> None:
     )
     damping = percuss.contact_law.Damping(0.3, 2e5)
     assert found["mass"].damper == percuss.mass(model, contact, damping=damping).damper
-    assert found["mass"].explanation == percuss.reports.explain(model, contact)
-    assert found["mass"].friction_thresholds == percuss.reports.friction_thresholds(model, contact)
-    assert found["mass"].tolerance == percuss.reports.tolerate(model, contact, "mass=2%")
+    assert {**found["mass"].explanation, "diagnostics": found["mass"].diagnostics} == percuss.reports.explain(model, contact)
+    assert {**found["mass"].friction_thresholds, "diagnostics": found["mass"].diagnostics} == percuss.reports.friction_thresholds(model, contact)
+    assert {**found["mass"].tolerance, "diagnostics": found["mass"].diagnostics} == percuss.reports.tolerate(model, contact, "mass=2%")
     assert found["impact"] == percuss.impact(model, contact, 0.3, speed=1.0)
     assert found["extremes"] == percuss.extremes(model, contact, ranges={"crank_hinge": (0.0, 1.0)})
     assert found["sweep"] == percuss.reports.sweep_report(model, contact, vary=["crank_hinge=0:0.5:4"])

@@ -37,10 +37,10 @@ pub fn changed_file(
     let decoded = if sheet::is_workbook(&source.bytes) {
         None
     } else {
-        Some(crate::decode(source, &mut report).ok_or("the file is no text and no workbook")?.text)
+        Some(crate::reading::decode(source, &mut report).ok_or("the file is no text and no workbook")?.text)
     };
     let text = decoded.as_deref().unwrap_or_default();
-    let (written, axes, frame, worksheet) = if decoded.is_some() && crate::is_json(source, text) {
+    let (written, axes, frame, worksheet) = if decoded.is_some() && crate::reading::is_json(source, text) {
         files.push((source.name.clone(), text.to_owned()));
         let clean = crate::text::blank_comments(text).map_err(|defect| defect.message.to_owned())?;
         let frame = Frame { unit: options.unit.unwrap_or_default(), axes: options.axes.unwrap_or_default() };

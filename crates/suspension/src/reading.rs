@@ -50,7 +50,7 @@ impl ReadFile {
 }
 
 /// True for JSON: it begins with a brace, or with a comment in Chrono's files. The JSON reader reports XML as such.
-fn is_json(source: &Source, text: &str) -> bool {
+pub(crate) fn is_json(source: &Source, text: &str) -> bool {
     let begins_as_json = text.trim_ascii_start().starts_with(['{', '/', '<']);
     begins_as_json && !sheet::is_foreign(&source.name, text) || source.name.ends_with(".json")
 }
@@ -72,7 +72,7 @@ fn read_sheet(
 }
 
 /// Decodes the bytes as text; `None` after an error. Empty and binary files get messages that name the formats of suspensions.
-fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<Decoded<'s>> {
+pub(crate) fn decode<'s>(source: &'s Source, report: &mut Report) -> Option<Decoded<'s>> {
     let is_utf16 = [&b"\xFF\xFE"[..], b"\xFE\xFF"].iter().any(|mark| source.bytes.starts_with(mark));
     if source.bytes.trim_ascii().is_empty() {
         report.error("empty-file", Place::File, || {

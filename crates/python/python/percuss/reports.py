@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Mapping, Sequence
-from typing import Any, Literal, cast
+from typing import Any, Literal, TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -50,13 +50,35 @@ def with_rows(parts: tuple[str, list[str]]) -> Any:
     return report
 
 
-def _part(model: Model, request: Request, name: str) -> Report | None:
-    """Part of the report of a mass, with the findings of the report under "diagnostics"; None if the report has no such part."""
+class Explanation(records.Explanation):
+    """Sensitivities of m̄."""
+
+    diagnostics: list[records.DiagnosticRecord]
+    """Findings of the mass."""
+
+
+class FrictionThresholdsRecord(records.FrictionThresholdsRecord):
+    """Coefficients of friction for sticking, jamming and wedging."""
+
+    diagnostics: list[records.DiagnosticRecord]
+    """Findings of the mass."""
+
+
+class ToleranceReport(records.ToleranceReport):
+    """Variation of m̄ within tolerances."""
+
+    diagnostics: list[records.DiagnosticRecord]
+    """Findings of the mass."""
+
+
+_Part = TypeVar("_Part", bound=Report)
+
+
+def _part(kind: type[_Part], model: Model, request: Request, name: str) -> _Part | None:
+    """Part of the report of a mass, with the findings of the report; None if the report has no such part."""
     report = records.MassReport.of(json.loads(_percuss.mass_report(model, request)))
-    part = cast("Report | None", report[name])
-    if part is not None:
-        part["diagnostics"] = report.diagnostics
-    return part
+    part = report[name]
+    return None if part is None else kind({**part, "diagnostics": report.diagnostics})
 
 
 @checked
@@ -157,7 +179,7 @@ def map_point(
 
 
 @of_contacts
-def explain(model: Of, contact: Contact | str, conditions: Conditions | None = None) -> records.Explanation | None:
+def explain(model: Of, contact: Contact | str, conditions: Conditions | None = None) -> Explanation | None:
     """Sensitivity of m̄: its derivative with respect to the mass and the centre of mass of each link, each armature,
     and each hardpoint of a sheet. None if the contact has no finite mass, or different masses on its branches. As
     ``percuss mass --explain``; the key "diagnostics" has the findings of ``mass``.
@@ -165,20 +187,20 @@ def explain(model: Of, contact: Contact | str, conditions: Conditions | None = N
         >>> percuss.reports.explain(arm, tool)
     """
     model, request = asked(model, contact, conditions, mass={"explain": True})
-    return cast("records.Explanation | None", _part(model, request, "explanation"))
+    return _part(Explanation, model, request, "explanation")
 
 
 @of_contacts
 def friction_thresholds(
     model: Of, contact: Contact | str, conditions: Conditions | None = None
-) -> records.FrictionThresholdsRecord | None:
+) -> FrictionThresholdsRecord | None:
     """Coefficients of friction from which the contact can stick, jam or wedge. They do not depend on the velocities. None if the contact
     has no finite mass, or if the pose is singular. As ``percuss mass --friction-thresholds``; the key "diagnostics" has the findings of ``mass``.
 
         >>> percuss.reports.friction_thresholds(arm, tool)
     """
     model, request = asked(model, contact, conditions, mass={"friction_thresholds": True})
-    return cast("records.FrictionThresholdsRecord | None", _part(model, request, "friction_thresholds"))
+    return _part(FrictionThresholdsRecord, model, request, "friction_thresholds")
 
 
 @checked
@@ -204,7 +226,7 @@ def tolerate(
     *,
     samples: int | None = None,
     seed: int = 0,
-) -> records.ToleranceReport | None:
+) -> ToleranceReport | None:
     """Variation of m̄ within tolerances, to first order and by random samples. tolerance:
     "mass=2%,com=1mm,armature=10%,point=0.5mm", or some of these. None as for ``explain``. As ``percuss mass
     --tolerance``; the key "diagnostics" has the findings of ``mass``.
@@ -213,7 +235,7 @@ def tolerate(
     """
     drawn = {} if samples is None and not seed else {"samples": samples, "seed": seed}
     model, request = asked(model, contact, conditions, mass={"tolerance": tolerance, **drawn})
-    return cast("records.ToleranceReport | None", _part(model, request, "tolerance"))
+    return _part(ToleranceReport, model, request, "tolerance")
 
 
 @of_contacts

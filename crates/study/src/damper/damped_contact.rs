@@ -81,6 +81,7 @@ pub(crate) fn damping_report(
     damping: &DampingQuestion,
 ) -> Result<DampingReport, StudyError> {
     damping.refuse_limit()?;
+    damping.refuse_unread()?;
     let (damping, of_curve) = with_sheet_curve(evaluated, damping)?;
     let damping = &damping;
     require_stiffness(damping)?;

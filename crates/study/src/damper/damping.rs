@@ -303,6 +303,7 @@ pub(crate) fn compare_with_body_mass(question: &DampingQuestion, alone: f64, mas
 /// [`StudyError`]: as for [`damper`]; a contact that the only requested simulator does not support.
 pub fn damp(question: &DampingQuestion, mass: f64) -> Result<DampingReport, StudyError> {
     question.refuse_limit()?;
+    question.refuse_unread()?;
     require_stiffness(question)?;
     let options = question.export_options();
     let body_alone = options.own_mass.map(|alone| compare_with_body_mass(question, alone, mass));

@@ -155,7 +155,14 @@ fn with_damper(evaluated: &EvaluatedQuestion, damping: &DampingQuestion) -> Resu
         let (name, record) = (tool.name(), ExportRecord::from_error(*tool, error));
         let finding = Finding::about_result(FindingKind::NoDamper, error.to_string());
         report.diagnostics.push(finding.into());
-        let without_tools = DampingQuestion { tools: Vec::new(), ..damping.clone() };
+        let without_tools = DampingQuestion {
+            tools: Vec::new(),
+            accuracy: None,
+            time_step: None,
+            other_own_mass: None,
+            diagonal_ratio: None,
+            ..damping.clone()
+        };
         answer = damping_report(evaluated, &without_tools).map(|mut damper| {
             damper.exports.insert(name, record);
             damper

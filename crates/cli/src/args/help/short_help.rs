@@ -38,7 +38,7 @@ const EXPLAINED: [(&str, &str); 24] = [
     ),
     ("impact", "at link point normal set restitution speed rates format"),
     ("convert", "output to"),
-    ("export", "at link point normal along_line against set restitution stiffness speed output to"),
+    ("export", "at link point normal against set restitution stiffness speed output to"),
     ("extremes", "at link point normal along_line against set range keep path format"),
     ("explore", "at link point normal against set wheel_travel moves output open"),
     (

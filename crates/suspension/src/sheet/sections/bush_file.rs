@@ -278,3 +278,36 @@ fn akima(points: &[[f64; 2]], x: f64) -> [f64; 2] {
     let [c2, c3] = [(3.0 * m - 2.0 * t0 - t1) / h, (t0 + t1 - 2.0 * m) / (h * h)];
     [f0 + s * (t0 + s * (c2 + s * c3)), t0 + s * (2.0 * c2 + s * 3.0 * c3)]
 }
+
+#[cfg(test)]
+mod tests {
+    use super::akima;
+
+    /// On equidistant points of a parabola all differences of slopes are equal, with the slopes beyond the ends too: the tangents are those of
+    /// the parabola, and the spline is the parabola.
+    #[test]
+    fn a_parabola_is_reproduced_to_its_ends() {
+        let parabola = |x: f64| [3.0 - 2.0 * x + 0.7 * x * x, -2.0 + 1.4 * x];
+        for count in [3, 4, 5, 9] {
+            let points: Vec<[f64; 2]> =
+                (0..count).map(|i| f64::from(i) - 1.5).map(|x| [x, parabola(x)[0]]).collect();
+            for k in 0..=10 * (count - 1) {
+                let x = 0.1 * f64::from(k) - 1.5;
+                let (found, expected) = (akima(&points, x), parabola(x));
+                for (a, b) in found.into_iter().zip(expected) {
+                    assert!((a - b).abs() < 1e-13 * (1.0 + b.abs()), "{count} points, {x}: {found:?}");
+                }
+            }
+        }
+    }
+
+    /// Straight parts stay straight: with two equal slopes on one side of a point, its tangent is that slope.
+    #[test]
+    fn a_corner_does_not_bend_straight_parts() {
+        let points = [[-3.0, 3.0], [-1.0, 1.0], [0.0, 0.0], [0.5, 2.0], [2.0, 8.0]];
+        for (x, value, slope) in [(-2.0, 2.0, -1.0), (1.0, 4.0, 4.0)] {
+            let found = akima(&points, x);
+            assert!((found[0] - value).abs() < 1e-14 && (found[1] - slope).abs() < 1e-14, "{x}: {found:?}");
+        }
+    }
+}

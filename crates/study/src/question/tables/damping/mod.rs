@@ -286,6 +286,23 @@ impl DampingQuestion {
         Err(InvalidKey::new("damping.limit", why))
     }
 
+    /// Refuses parameters of simulators without a simulator.
+    pub(crate) fn refuse_unread(&self) -> Result<(), InvalidKey> {
+        let given = [
+            ("damping.accuracy", self.accuracy.is_some()),
+            ("damping.time_step", self.time_step.is_some()),
+            ("damping.other_own_mass", self.other_own_mass.is_some()),
+            ("damping.diagonal_ratio", self.diagonal_ratio.is_some()),
+        ];
+        match given.into_iter().find(|(_, is_given)| *is_given && self.tools().is_empty()) {
+            Some((key, _)) => Err(InvalidKey::new(
+                key,
+                "it belongs to the parameters of a simulator; name one by `for`, or remove it",
+            )),
+            None => Ok(()),
+        }
+    }
+
     /// Coefficient of restitution e, from 0 to 1; NaN if it is missing.
     pub fn restitution(&self) -> f64 {
         self.restitution.map_or(f64::NAN, |restitution| restitution.0)
