@@ -75,7 +75,7 @@ impl Model {
     /// [`StudyError`]: names that do not exist, invalid numbers, joints that a bush cannot replace.
     pub fn with_bushes(mut self, bushes: &[BushDescription]) -> Result<Model, StudyError> {
         let builder = bushes.iter().cloned().fold(self.mechanism.to_builder(), |b, bush| b.bush(bush));
-        self.mechanism = Arc::new(builder.build().map_err(build_error_as_fault(Field::Model))?.mechanism);
+        self.mechanism = Arc::new(builder.build().map_err(build_error_as_fault("model.path"))?.mechanism);
         self.origin.bushes.extend_from_slice(bushes);
         Ok(self)
     }

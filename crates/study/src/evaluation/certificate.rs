@@ -124,6 +124,9 @@ pub(crate) fn mass_certificate(evaluated: &EvaluatedQuestion) -> MassCertificate
     }
 }
 
+/// True for a WebAssembly module of a page, which has no proofs: they would enlarge it by a twentieth.
+const IS_MODULE_OF_PAGE: bool = cfg!(all(target_arch = "wasm32", target_os = "unknown"));
+
 /// Proved bounds of the extremes over ranges, at a pose of the branch.
 pub(crate) fn extremes_certificate(
     pose: &Pose,
@@ -137,6 +140,10 @@ pub(crate) fn extremes_certificate(
         mass_tolerance: proof.mass_tolerance,
         ..ExtremesCertificateRecord::default()
     };
+    if IS_MODULE_OF_PAGE {
+        let reason = "the module of a page has no proofs; the command has".to_owned();
+        return ExtremesCertificateRecord { reason: Some(reason), ..none };
+    }
     let without =
         |why: NoCertificate| ExtremesCertificateRecord { reason: Some(why.to_string()), ..none.clone() };
     let bracket = |found: ExtremeBracket| BracketRecord {

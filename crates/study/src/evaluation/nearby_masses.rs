@@ -32,7 +32,7 @@ impl<'a> NearbyMasses<'a> {
     pub fn new(evaluated: &'a EvaluatedQuestion, question: &'a MassQuestion) -> Option<Self> {
         let EvaluatedQuestion { prepared, pose, contact, result } = evaluated;
         let own = &prepared.question;
-        if own.pose.is_some() || !own.guess.is_empty() || prepared.other_mass().is_some() {
+        if own.positions.is_some() || !own.pose.guess.is_empty() || prepared.other_mass().is_some() {
             return None;
         }
         if !prepared.point_is_in_link() && prepared.wheel().is_none() {

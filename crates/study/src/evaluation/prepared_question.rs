@@ -205,7 +205,7 @@ impl<'a> PreparedQuestion<'a> {
 
     /// Contact with its point as given, in the frame of the contact link.
     pub fn contact_in_link(&self) -> Contact {
-        let point = Vector3::from(self.question.point);
+        let point = Vector3::from(self.question.contact.point());
         Contact { link: self.link, against: self.against, point, normal: self.normal }
     }
 
@@ -311,7 +311,7 @@ impl<'a> PreparedQuestion<'a> {
         let names = self.question.names;
         // A question about a stop states its gap as a result.
         let is_stated =
-            |finding: &Finding| finding.kind() == FindingKind::OpenGap && self.question.at.is_some();
+            |finding: &Finding| finding.kind() == FindingKind::OpenGap && self.question.contact.at.is_some();
         let as_note = |finding| if is_stated(&finding) { finding.into_note() } else { finding };
         let of_response = collect_response_findings(&self.system, contact, response, names);
         let mut findings: Vec<Finding> = of_response.into_iter().map(as_note).collect();

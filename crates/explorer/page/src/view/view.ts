@@ -64,6 +64,8 @@ export class View {
   private hovered: string | undefined;
   private box = new DOMRect();
   private pending = false;
+  /** All that the last rendering shows; empty to render again. */
+  private rendered: unknown[] = [];
   /** Times of drawings, ms. */
   private times: number[] = [];
   private stop: () => void;
@@ -118,6 +120,7 @@ export class View {
   /** Picture of the view as a PNG address; undefined without WebGL. */
   png(): string | undefined {
     if (!this.renderer) return undefined;
+    this.rendered = [];
     this.draw();
     return this.renderer.domElement.toDataURL('image/png');
   }
@@ -141,6 +144,7 @@ export class View {
     const { clientWidth: width, clientHeight: height } = this.element;
     if (!width || !height) return;
     this.renderer?.setSize(width, height);
+    this.rendered = [];
     this.cameras.resize(width, height);
     this.overlay.resize(width, height);
     if (!this.shown.fitted && this.shown.scene) this.fit();
@@ -233,7 +237,7 @@ export class View {
     bodies.colour(colours, undefined);
     this.colourMap();
     bodies.outlines(store.showsDesign, store.variants.filter((v) => v.study !== store.answered));
-    this.renderer?.render(this.stage, this.cameras.camera);
+    this.render();
     // Only after the new bodies exist: shader programs without users are deleted and would be compiled again.
     former?.dispose();
     this.overlay.drawWires(this.cameras, bodies.wires(frames, colours, !this.webgl));
@@ -253,6 +257,19 @@ export class View {
       isStale: problem !== undefined,
     });
     this.drawLabel();
+  }
+
+  /** Renders the bodies, unless the last rendering shows the same: curves, lists and the pointer change only the marks. */
+  private render() {
+    const { camera } = this.cameras;
+    camera.updateMatrixWorld();
+    const shown = [
+      store.scene, store.frames, store.posed, store.problem, store.colours, store.showsDesign, store.variants, store.answered, this.shown.map,
+      ...camera.projectionMatrix.elements, ...camera.matrixWorld.elements,
+    ];
+    if (shown.length === this.rendered.length && shown.every((value, i) => value === this.rendered[i])) return;
+    this.rendered = shown;
+    this.renderer?.render(this.stage, camera);
   }
 
   /** Drawn point of the contact link nearest to the contact; undefined for a link with a shape. */

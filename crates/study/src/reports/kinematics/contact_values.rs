@@ -142,7 +142,7 @@ pub(super) fn contact_findings(model: &Model, search: &TargetSearch) -> Vec<Diag
         CONTACT_IMPACT.into_iter().chain([CONTACT_MASS]).any(|start| is_required(search, start, contact))
     };
     let names = model.mechanism.contacts().iter().map(NamedContact::name).filter(|name| is_listed(name));
-    let questions = names.map(|name| MassQuestion::without_contact().at_contact(name));
+    let questions = names.map(|name| MassQuestion::default().at_contact(name));
     let mut found: Vec<DiagnosticRecord> = Vec::new();
     for report in questions.chain(search.mass.clone()).filter_map(|question| mass(model, &question).ok()) {
         for finding in report.diagnostics {
