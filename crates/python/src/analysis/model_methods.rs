@@ -191,7 +191,6 @@ impl Model {
     #[allow(clippy::too_many_arguments, reason = "one for each number of a bush")]
     fn with_bush(
         &self,
-        py: Python<'_>,
         name: String,
         link: String,
         stiffness: [f64; 6],
