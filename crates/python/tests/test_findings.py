@@ -3,6 +3,8 @@ have its flag."""
 
 from __future__ import annotations
 
+from collections.abc import Callable
+
 import numpy as np
 import pytest
 
@@ -70,7 +72,7 @@ def test_a_stop_at_its_touch_and_other_contacts_have_no_open_gap() -> None:
 
 
 #: Reports that do not show the estimate and the motion ratios of the conditions, as calls with conditions.
-REPORTS = {
+REPORTS: dict[str, Callable[[percuss.Model, percuss.Conditions], object]] = {
     "map_point": lambda model, given: percuss.reports.map_point(model, OTHER, 3, given),
     "explain": lambda model, given: percuss.reports.explain(model, OTHER, given),
     "friction_thresholds": lambda model, given: percuss.reports.friction_thresholds(model, OTHER, given),
@@ -108,3 +110,24 @@ def test_parts_of_a_mass_report_have_its_findings() -> None:
     ):
         assert part is not None
         assert [finding["code"] for finding in part["diagnostics"]] == ["outside-limits"]
+
+
+def test_fields_of_a_damping_without_influence_are_refused() -> None:
+    model = percuss.loads(chain())
+    damping = percuss.contact_law.Damping
+    for given in (damping(0.5, 1e4, accuracy=0.1), damping(0.5, 1e4, time_step=1e-4), damping(0.5, 1e4, other_own_mass=2.0)):
+        # Without a simulator.
+        for call in (
+            lambda: percuss.contact_law.damp(2.0, given),
+            lambda: percuss.contact_law.damp_contact(model, OTHER, given),
+            lambda: percuss.mass(model, OTHER, damping=given),
+        ):
+            with pytest.raises(percuss.InputError, match="it belongs to the parameters of a simulator"):
+                call()
+    with pytest.raises(percuss.InputError, match="damping.own_mass: it has no influence"):
+        percuss.contact_law.damp_stop(model, "slide", damping(0.5, 1e4, own_mass=2.0), end="upper")
+    with pytest.raises(percuss.InputError, match="damping.tools: it has no influence"):
+        percuss.contact_law.impact_history(2.0, damping(0.5, 1e4, speed=1.0, tools=["mujoco"]))
+    with pytest.raises(percuss.InputError, match="damping.accuracy: it has no influence"):
+        peak = damping(0.5, 1e4, speed=1.0, accuracy=0.1)
+        percuss.extremes(model, OTHER, starts=2, quantity="peak:slide", contact_law=peak)

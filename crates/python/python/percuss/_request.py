@@ -110,7 +110,8 @@ class Damping:
     are computed, names of tools(), or ("all",). accuracy: permitted error of a simulator's restitution. time_step: time
     step of the simulator, s. own_mass, other_own_mass: masses of the two bodies alone, kg. diagonal_ratio: MuJoCo's
     diagonal ratio. closed_loops: true if loops bind the contact link. A model supplies this value; for a mass alone,
-    None means unknown, and the parameters of MuJoCo's equality constraints are given too.
+    None means unknown, and the parameters of MuJoCo's equality constraints are given too. accuracy, time_step, other_own_mass and
+    diagonal_ratio require tools.
 
         >>> law = percuss.contact_law.Damping(restitution=0.3, stiffness=2e5, speed=1.0, tools=["mujoco"])
     """
@@ -133,10 +134,20 @@ class Damping:
     def __post_init__(self) -> None:
         check_fields(self)
 
+    def _refuse(self, *names: str) -> None:
+        """Refuses fields without influence on a result."""
+        for name in names:
+            if getattr(self, name) not in (None, (), []):
+                raise InputError(f"damping.{name}: it has no influence on this result; leave it out")
+
     def _tables(self, stop: str | None = None) -> dict[str, Any]:
         """Tables of the damper, at the stop of a joint if given."""
         keys = {name: value for name, value in vars(self).items() if name not in ("tools", "closed_loops")}
         return {"damping": {**keys, "for": self.tools, "limit": stop}, "closed_loops": self.closed_loops}
+
+
+#: Fields of Damping for the parameters of simulators, and the masses of the bodies alone.
+OF_SIMULATORS = ("tools", "accuracy", "time_step", "own_mass", "other_own_mass", "diagonal_ratio", "closed_loops")
 
 
 def plain(value: Any) -> Any:

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 from . import _percuss, records
 from ._arguments import array_of, checked
 from ._percuss import Assembly, Contact, Model, System, laws, tools
-from ._request import Conditions, Damping, Of, asked, of_contacts, tables
+from ._request import OF_SIMULATORS, Conditions, Damping, Of, asked, of_contacts, tables
 from .errors import InputError
 from .state import State
 
@@ -100,9 +100,7 @@ def damp_stop(
 
         >>> percuss.contact_law.damp_stop(arm, "elbow", percuss.contact_law.Damping(0.5, 1e3, speed=1.0), end="upper").damping
     """
-    for name in ("own_mass", "other_own_mass"):
-        if getattr(damping, name) is not None:
-            raise InputError(f"damping.{name}: it has no influence on the damper of a joint's stop; the model has the masses")
+    damping._refuse("own_mass", "other_own_mass")
     stop = joint if end is None else f"{joint}:{end}"
     model, request = asked(model, None, conditions, reads=("against_mass",), **damping._tables(stop))
     return records.DampingReport.of(json.loads(_percuss.damp(model, request)))
@@ -115,6 +113,7 @@ def impact_history(mass: float, damping: Damping, samples: int = 200) -> NDArray
 
         >>> time, penetration, rate, force = percuss.contact_law.impact_history(2.0, law).T
     """
+    damping._refuse(*OF_SIMULATORS)
     return _percuss.impact_history(mass, (tables(**damping._tables()), None, None), samples)
 
 

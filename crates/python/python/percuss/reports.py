@@ -13,7 +13,7 @@ from numpy.typing import NDArray
 from . import _percuss, records
 from ._arguments import checked
 from ._percuss import Contact, Model, regions
-from ._request import EVERY_CONDITION, Conditions, Damping, Of, Position, Range, Request, asked, json_of, numbers, of_contacts, rates_of, rows, tables
+from ._request import EVERY_CONDITION, OF_SIMULATORS, Conditions, Damping, Of, Position, Range, Request, asked, json_of, numbers, of_contacts, rates_of, rows, tables
 from .errors import InputError
 from .state import State
 
@@ -356,6 +356,8 @@ def extremes(
     path = rows(vary, input, ignore, None, 0) or {}
     if vary is not None and input is not None:
         raise InputError("vary: give one of vary and input")
+    if contact_law is not None:
+        contact_law._refuse(*OF_SIMULATORS)
     model, request = asked(
         model, contact, conditions,
         extremes={
