@@ -178,7 +178,11 @@ fn parts_that_are_not_read_are_reported() {
             ["frictionloss of <joint>", "margin of <joint>", "<camera>", "<sensor>", "timestep of <option>"]
                 .as_slice(),
         ),
-        ("a.sdf", sdf, ["<sensor> in <link>", "<friction> in <dynamics>", "<material> in <visual>"].as_slice()),
+        (
+            "a.sdf",
+            sdf,
+            ["<sensor> in <link>", "<friction> in <dynamics>", "<material> in <visual>"].as_slice(),
+        ),
         (
             "a.urdf",
             urdf,

@@ -250,7 +250,8 @@ fn model_gears<'e>(evaluated: &'e EvaluatedQuestion) -> impl Iterator<Item = (&'
 
 /// True if the question or the model has an elastic gear.
 fn has_gears(evaluated: &EvaluatedQuestion) -> bool {
-    !evaluated.prepared.question.conditions.gear_stiffness.is_empty() || model_gears(evaluated).next().is_some()
+    !evaluated.prepared.question.conditions.gear_stiffness.is_empty()
+        || model_gears(evaluated).next().is_some()
 }
 
 /// True if the model has bushes in place of joints.
