@@ -119,6 +119,8 @@ function states(browser) {
     all[`page ${name}`] = async () => {
       const page = await open(browser, explore(...flags), options);
       await settle(page);
+      // The parts of the panel keep their places after that.
+      await rested(page);
       await act(page);
       await settle(page);
       await rested(page);
