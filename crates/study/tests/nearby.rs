@@ -2,7 +2,7 @@
 //! are the fourth-order differences of complete evaluations with new assemblies, paths and responses.
 
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions};
-use percuss_study::{Changes, MassQuestion, Model, explain, mass};
+use percuss_study::{Changes, MassQuestion, Model, PoseTable, explain, mass};
 use rand::{Rng, SeedableRng, rngs::StdRng};
 
 /// Step of all hardpoints together, m. With parts of 10 mm, truncation is (5e-5/0.01)⁴ = 6e-10; poses are accurate to 1e-12 of 1 m, which
@@ -42,11 +42,9 @@ fn rates_are_those_of_complete_evaluations() {
         };
         let design = Changes { moves: moves(2e-3, &mut random), ..Changes::default() };
         let design = model.with_changes(&design).expect(sheet);
-        let question = MassQuestion {
-            at: Some(contact.into()),
-            travel: travels.iter().map(|travel| travel.parse().expect(travel)).collect(),
-            ..MassQuestion::without_contact()
-        };
+        let travel = travels.iter().map(|travel| travel.parse().expect(travel)).collect();
+        let pose = PoseTable { travel, ..PoseTable::default() };
+        let question = MassQuestion { pose, ..MassQuestion::default().at_contact(contact) };
         let explained = explain(&design, &question).expect(sheet).expect(sheet);
         let along = moves(1.0, &mut random);
         let at = |step: f64| {
