@@ -91,9 +91,11 @@ impl Unread {
             if !words(self.flags).any(|id| argument.get_id() == id) {
                 return argument;
             }
-            // A hidden flag is refused with its reason, beside any other flag.
             let Some(condition) = &condition else {
-                return argument.hide(true).conflicts_with(Resettable::Reset);
+                let argument = argument.hide(true);
+                // A hidden flag is refused with its reason, beside any other flag; an axis also in place of the required point.
+                let is_axis = argument.get_id() == "about_axis";
+                return if is_axis { argument } else { argument.conflicts_with(Resettable::Reset) };
             };
             // The short help has no room for conditions.
             let help = argument.get_long_help().or_else(|| argument.get_help());

@@ -26,13 +26,14 @@ const WITHOUT_KEY: [(&str, &str); 18] = [
 ];
 
 /// Keys that have no flag, and why.
-const WITHOUT_FLAG: [(&str, &str); 7] = [
+const WITHOUT_FLAG: [(&str, &str); 8] = [
     ("check", "a table without keys: the command check"),
     ("closure.", "a flag for a loop would be a file"),
     ("variant.", "percuss compare uses files in place of variants"),
     ("contact.name", "the command evaluates one contact, or lists those of the model by their names"),
     ("kinematics.", "flags of the command kinematics, which also has the data of the vehicle"),
     ("model.name", "percuss compare uses the name of the file"),
+    ("targets.", "flags of the command kinematics: --solve with --for"),
     ("report.", "text of the report, which only a study has"),
 ];
 

@@ -99,7 +99,8 @@ class BracketRecord(Record):
     boxes: int
     """Number of evaluated boxes."""
     positions: list[float]
-    """Positions of the ranges with the best value, rad or m."""
+    """Positions of the ranges with the best value, rad or m; then those on the edges, m, and the angles ψ about the normal and
+    θ from the normal of a cone, rad."""
     divisions: list[int]
     """Division of the ranges in preorder: −1 for a box with a sufficient bound, otherwise the index of the range that is
     halved, then its lower half and its upper half. Empty for linkages."""
@@ -889,6 +890,8 @@ class ExtremeRecord(Record):
     normal_world: list[float] | None
     """Normal (for a moment: axis) at the extreme, world axes, up to its sign; None if the search uses the normal of the
     contact."""
+    point_link: list[float] | None
+    """Contact point at the extreme in the frame of the contact link, m; None without edges."""
     residual: float
     """Largest component of the projected gradient times its range, relative to the value (for a bearing, of the square of the
     impulse): zero at an exact optimum."""
@@ -942,6 +945,10 @@ class ExtremesReport(Record):
     force."""
     ranges: list[list[float | str]]
     """Ranges of the varied joints: joint, lower and upper end, rad or m; empty for a path."""
+    cone: float | None
+    """Largest angle between the normals and that of the contact, rad; None without a cone."""
+    edges: list[list[float]]
+    """Edges of the patch of contact points, in the frame of the contact link, m."""
     kept: list[KeptRecord]
     """Links and points that stay in place over the ranges."""
     path: PathRecord | None
@@ -2083,8 +2090,15 @@ class ProvedSpeedRecord(Record):
     """Speed for the upper bound of m̄; None without a bound."""
     is_sharp: bool
     """True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary."""
+    segments: int | None
+    """Number of segments between rows of positions; None for ranges."""
+    slowest_segment: int | None
+    """Segment with the largest bound, from 0, from the row of this number to the next one; None for ranges."""
+    share_above_standard: float | None
+    """Share of the positions at which the standard's mass is too small: m̄ of the given normal and point at sampled positions
+    of the ranges, or segments with a proved larger m̄. From 0 to 1; None without an answer."""
     certificate: ExtremesCertificateRecord
-    """Proved bounds of the largest m̄ over the ranges."""
+    """Proved bounds of the largest m̄ over the ranges, or over the segment with the largest bound."""
 
 
 class RatesAfterRecord(Record):
@@ -2696,6 +2710,8 @@ class TargetReport(Record):
     """Displacements of the hardpoints, m, in the axes of the sheet, as for "--move"."""
     link_masses: list[list[float | str]]
     """Masses of links, kg, as for "--link-mass"."""
+    diagnostics: list[DiagnosticRecord]
+    """Findings about the file, and about the contacts of the values in the design found."""
 
 
 class TextFile(Record):

@@ -350,7 +350,8 @@ export interface PosedMass {
 }
 
 export interface ProvedSpeedRecord {
-  speed: SpeedRecord | null; is_sharp: boolean; certificate: ExtremesCertificateRecord;
+  speed: SpeedRecord | null; is_sharp: boolean; segments: number | null; slowest_segment: number | null;
+  share_above_standard: number | null; certificate: ExtremesCertificateRecord;
 }
 
 export interface RatesAfterRecord {
