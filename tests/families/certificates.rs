@@ -307,7 +307,7 @@ fn cones_of_normals_and_facets_of_points_are_enclosed() {
     let (_, pose, contact) = shipped("four_bar.urdf", &[], "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
     let crank = pose.mechanism().find_joint("crank_hinge").unwrap();
     let refused = pose.certify_extremes(&contact, &[(crank, 0.1, 0.2)], RangeProof { cone, ..PROOF });
-    assert_eq!(refused.unwrap_err(), NoCertificate::Spread);
+    assert_eq!(refused.unwrap_err(), NoCertificate::VariedContact);
 }
 
 /// A rod on a hinge, J = 1/3 kg·m²: m̄ = J/(r cos θ)² at the distance r, along a normal at the angle θ from the tangent in the plane.

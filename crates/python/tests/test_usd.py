@@ -288,6 +288,26 @@ def test_armature_and_mimic_are_those_of_three_programs() -> None:
         assert mass_of(percuss.from_usd(stage), "leader", (1, 0, 0)) == pytest.approx(2.0 + 4.0 * 3.0, rel=1e-6)
 
 
+@pytest.mark.parametrize("program", ["newton", "physx", "mjc"])
+def test_a_slide_follows_a_hinge_in_the_units_of_its_program(program: str) -> None:
+    # 2 cm a turn: 0.02/(2π) m/rad.
+    stage = stage_of(metre=0.01)
+    body(stage, "/screw", 2.0, inertia=(100, 100, 100))
+    body(stage, "/nut", 3.0)
+    joint(stage, "RevoluteJoint", "/turn", ("", "/screw"), "Z")
+    prim = joint(stage, "PrismaticJoint", "/slide", ("", "/nut"), "Z").GetPrim()
+    if program == "physx":
+        prim.CreateRelationship("physxMimicJoint:transZ:referenceJoint").SetTargets([Sdf.Path("/turn")])
+        prim.CreateAttribute("physxMimicJoint:transZ:gearing", Sdf.ValueTypeNames.Double).Set(-2.0 / 360.0)
+    else:
+        names = {"newton": ("newton:mimicJoint", "newton:mimicCoef1"), "mjc": ("mjc:target", "mjc:coef1")}[program]
+        prim.CreateRelationship(names[0]).SetTargets([Sdf.Path("/turn")])
+        factor = 2.0 / 360.0 if program == "newton" else 2.0 / math.tau
+        prim.CreateAttribute(names[1], Sdf.ValueTypeNames.Double).Set(factor)
+    expected = 3.0 + 0.01 / (0.02 / math.tau) ** 2
+    assert mass_of(percuss.from_usd(stage), "nut", (0, 0, 1)) == pytest.approx(expected, rel=1e-6)
+
+
 def test_masses_of_colliders() -> None:
     stage = stage_of()
     shapes: list[tuple[Any, float, Array]] = []
@@ -400,6 +420,11 @@ def with_itself(stage: Any) -> None:
     joint(stage, "RevoluteJoint", "/self", ("/arm", "/arm"))
 
 
+def without_inertia(stage: Any) -> None:
+    body(stage, "/other", inertia=(0, 0, 0))
+    joint(stage, "RevoluteJoint", "/other_hinge", ("", "/other"))
+
+
 def with_two_armatures(stage: Any) -> None:
     for name, value in (("newton:armature", 1.0), ("physxJoint:armature", 2.0)):
         stage.GetPrimAtPath("/hinge").CreateAttribute(name, Sdf.ValueTypeNames.Float).Set(value)
@@ -414,6 +439,7 @@ def with_two_armatures(stage: Any) -> None:
         (with_limits_without_schema, "PhysicsLimitAPI"),
         (with_itself, "with itself"),
         (with_two_armatures, "several armatures"),
+        (without_inertia, "neither physics:diagonalInertia"),
     ],
 )
 def test_refusals(change: Any, words: str) -> None:

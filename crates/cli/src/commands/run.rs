@@ -194,9 +194,8 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
     if let (Some(requested), Some(report)) = (&tables.kinematics, &report.kinematics) {
         kinematics::show_of_study(report, requested, strict)?;
     }
-    if let Some(report) = &report.targets {
-        kinematics::show_targets(report)?;
-    }
+    // A search without success ends the run with its exit code, after all other results.
+    let searched = report.targets.as_ref().map_or(Ok(()), |found| kinematics::show_targets(found, strict));
     if let (Some(requested), Some(result)) = (&tables.map, &report.map) {
         map::write(result, &map_output(requested, MassFormat::Text, strict)?)?;
     }
@@ -221,7 +220,7 @@ fn run_all(study: &StudyFile, args: &RunArgs) -> Result<(), Failure> {
         export::write_files(&mut report)?;
         write_text(&export::summary(&report))?;
     }
-    Ok(())
+    searched
 }
 
 /// Notes the tables and keys that do not apply to rows, to variants, or to all of several contacts.

@@ -193,17 +193,18 @@ fn prepare<'a>(
     });
     let SearchedContact { contact, wheel, normals, edges } = contact;
     let is_varied = matches!(normals, NormalRange::Cone(_)) || !edges.is_empty();
-    let has_line = !matches!(contact.normal, Direction::Along(..) | Direction::About(..));
+    let is_line = !matches!(contact.normal, Direction::Along(..) | Direction::About(..));
     let angle = if let NormalRange::Cone(angle) = normals { angle } else { 0.0 };
-    let is_outside = !(0.0..=FRAC_PI_2).contains(&angle) || edges.len() > 2;
-    let is_planar = edges.is_empty() || normals == NormalRange::Given || angle > 0.0;
+    let is_outside = !(0.0..=FRAC_PI_2).contains(&angle)
+        || edges.len() > 2
+        || edges.iter().flat_map(|edge| edge.iter()).any(|x| !x.is_finite());
+    let has_all_normals = matches!(normals, NormalRange::Any | NormalRange::Across(_));
     if is_varied
         && (quantity != SearchedQuantity::EffectiveMass
-            || has_line
+            || is_line
             || wheel.is_some()
             || is_outside
-            || !is_planar
-            || (contact.normal.is_moment() && !edges.is_empty()))
+            || (!edges.is_empty() && (has_all_normals || contact.normal.is_moment())))
     {
         return Err(ExtremesError::VariedContact);
     }

@@ -27,12 +27,16 @@ _ARMATURES = ("newton:armature", "physxJoint:armature", "mjc:armature")
 
 @dataclass(frozen=True)
 class _Coupling:
-    """q = factor · q of the leader + offset."""
+    """q = factor · q of the leader + offset (rad, m).
+
+    factor: in degrees and lengths of the stage; in_radians: in radians and lengths of the stage.
+    """
 
     leader: str
     degree: str
     factor: float
     offset: float
+    in_radians: bool = False
 
 
 @dataclass(frozen=True)
@@ -153,7 +157,10 @@ class _Reader:
         load = getattr(UsdPhysics, "UsdPhysicsLoadStageFromPrimRange", None) or UsdPhysics.LoadUsdPhysicsFromRange
         self.found: dict[str, list[Any]] = {}
         for kind, (_, descriptions) in load(stage, [prim]).items():
-            self.found[kind.name] = [description for description in descriptions if description.isValid]
+            for description in descriptions:
+                if not description.isValid and kind.name.endswith(("Body", "Joint", "Shape")):
+                    raise InputError(f'"{description.primPath}" is no valid {kind.name} of UsdPhysics; correct or deactivate it')
+            self.found[kind.name] = list(descriptions)
         self.bodies: dict[str, Any] = {}
         self.fixed: dict[str, _Array] = {}
         for body in self.found.get("RigidBody", []):
@@ -207,9 +214,17 @@ class _Reader:
 
         prim = self.stage.GetPrimAtPath(body.primPath)
         mass_api = physics.MassAPI(prim)
-        authored = mass_api and mass_api.GetMassAttr().Get() and any(mass_api.GetDiagonalInertiaAttr().Get() or ())
-        if not shapes and not (mass_api and mass_api.GetMassAttr().Get()):
+        has_mass = bool(mass_api and mass_api.GetMassAttr().Get())
+        has_inertia = bool(mass_api and any(mass_api.GetDiagonalInertiaAttr().Get() or ()))
+        has_centre = bool(mass_api and all(math.isfinite(x) for x in mass_api.GetCenterOfMassAttr().Get() or (math.inf,)))
+        authored = has_mass and has_inertia and has_centre
+        if not shapes and not has_mass:
             return ""
+        if has_mass and not has_inertia and not any(shape.collisionEnabled for shape in shapes.values()):
+            # UsdPhysics would take a sphere of 0.1 units.
+            raise InputError(
+                f'body "{body.primPath}" has a mass, but neither physics:diagonalInertia nor an enabled collider; expected one of them'
+            )
         mass, diagonal, centre, axes = physics.RigidBodyAPI(prim).ComputeMassProperties(information)
         if refused and not authored:
             raise InputError(f'body "{body.primPath}": {refused[0]}')
@@ -262,11 +277,13 @@ class _Reader:
         distance: float | None = None
         motions: list[_Motion] = []
         if kind == "Revolute":
-            motions = [_Motion(path, "hinge", f"rot{joint.axis.name}", *self.range(joint.limit, "rot"))]
+            motions = [_Motion(path, "hinge", f"rot{joint.axis.name}", *self.range(path, joint.limit, "rot"))]
         elif kind == "Prismatic":
-            motions = [_Motion(path, "slide", f"trans{joint.axis.name}", *self.range(joint.limit, "trans"))]
+            motions = [_Motion(path, "slide", f"trans{joint.axis.name}", *self.range(path, joint.limit, "trans"))]
         elif kind == "Spherical":
             motions = [_Motion(path, "ball", "rotX")]
+            if joint.limit.enabled:
+                warnings.warn(f'the cone that limits the joint "{path}" is left out', ModelWarning, stacklevel=5)
         elif kind == "D6":
             motions, after = self.freedoms(joint)
             frame1 = frame1 @ _inverse(after)
@@ -307,12 +324,14 @@ class _Reader:
         attribute = prim.GetAttribute(name)
         return attribute.Get() if attribute else None
 
-    def range(self, limit: Any, degree: str) -> tuple[float, float]:
+    def range(self, path: str, limit: Any, degree: str) -> tuple[float, float]:
         """Limits in rad or m. Without limits: infinite."""
         if not limit.enabled:
             return -math.inf, math.inf
         unit = math.radians(1.0) if degree.startswith("rot") else self.metre
         low, high = (unit * x if abs(x) < 1e30 else x * math.inf for x in (float(limit.lower), float(limit.upper)))
+        if math.isinf(low) != math.isinf(high):
+            warnings.warn(f'joint "{path}" has a limit on one side, which is left out', ModelWarning, stacklevel=6)
         return low, high
 
     def freedoms(self, joint: Any) -> tuple[list[_Motion], _Array]:
@@ -335,7 +354,7 @@ class _Reader:
         motions: list[_Motion] = []
         before = np.eye(4)
         for degree in _DEGREES:
-            low, high = self.range(limits[degree], degree) if degree in limits else (-math.inf, math.inf)
+            low, high = self.range(path, limits[degree], degree) if degree in limits else (-math.inf, math.inf)
             if low < high:
                 kind = "slide" if degree.startswith("trans") else "hinge"
                 motions.append(_Motion(path, kind, degree, low, high, before))
@@ -370,8 +389,11 @@ class _Reader:
                     f'joint "{prim.GetPath()}" follows "{leader}" by a curve or with several freedoms; expected one factor and one offset'
                 )
             constant = value("newton:mimicCoef0", math.nan) * unit(own)
-            offset = value("mjc:coef0", 0.0) if math.isnan(constant) else constant
-            found[own] = _Coupling(leader, "", value("newton:mimicCoef1", value("mjc:coef1", 1.0)), offset)
+            metre = self.metre if own.startswith("trans") else 1.0
+            offset = metre * value("mjc:coef0", 0.0) if math.isnan(constant) else constant
+            factor = value("newton:mimicCoef1", math.nan)
+            in_radians = math.isnan(factor)
+            found[own] = _Coupling(leader, "", value("mjc:coef1", 1.0) if in_radians else factor, offset, in_radians)
         at = "physxMimicJoint:"
         for degree in sorted({name.split(":")[1] for name in prim.GetPropertyNames() if name.startswith(at)}):
             leader = target(f"{at}{degree}:referenceJoint")
@@ -379,6 +401,8 @@ class _Reader:
                 raise InputError(f'joint "{prim.GetPath()}" has {at}{degree} without referenceJoint; expected the joint that leads')
             leads = str(self.attribute(prim, f"{at}{degree}:referenceJointAxis") or "")
             gearing, offset = value(f"{at}{degree}:gearing", 1.0), value(f"{at}{degree}:offset", 0.0)
+            if (own or degree) in found:
+                raise InputError(f'joint "{prim.GetPath()}" has several mimics; expected one')
             found[own or degree] = _Coupling(leader, leads, -gearing, -offset * unit(own or degree))
         return found
 
@@ -386,8 +410,9 @@ class _Reader:
 class _Writer:
     """Text of the robot: a tree from the root, closed by loops."""
 
-    def __init__(self, joints: list[_Joint], links: _Names) -> None:
+    def __init__(self, joints: list[_Joint], links: _Names, metre: float) -> None:
         self.lines: list[str] = []
+        self.metre = metre
         self.links = links
         freedoms = [motion for joint in joints for motion in joint.motions]
         self.names = _Names(sorted({joint.path for joint in joints} | {motion.path for motion in freedoms}))
@@ -417,8 +442,12 @@ class _Writer:
                 raise InputError(
                     f'joint "{motion.path}" follows "{coupling.leader}", which has the freedoms {degrees}; expected one, or its axis'
                 )
-            leader = self.coordinates[coupling.leader, coupling.degree if coupling.degree in degrees else degrees[0]]
-            text += f'<mimic joint={quoteattr(leader)} multiplier="{coupling.factor!r}" offset="{coupling.offset!r}"/>'
+            degree = coupling.degree if coupling.degree in degrees else degrees[0]
+            angle = 1.0 if coupling.in_radians else math.radians(1.0)
+            own, other = (angle if name.startswith("rot") else self.metre for name in (motion.degree, degree))
+            leader = self.coordinates[coupling.leader, degree]
+            factor = coupling.factor * own / other
+            text += f'<mimic joint={quoteattr(leader)} multiplier="{factor!r}" offset="{coupling.offset!r}"/>'
         return text
 
     def chain(self, joint: _Joint, parent: str, child: str | None, reverse: bool) -> tuple[str, _Array]:
@@ -491,7 +520,7 @@ def _merged(joints: list[_Joint]) -> list[_Joint]:
         if not (same and np.allclose(before.drawn(), joint.drawn(), rtol=0.0, atol=1e-5)):
             raise InputError(
                 f'joints "{before.path}" and "{joint.path}" join the same bodies; expected one joint with both freedoms (D6), '
-                "physics:excludeFromArticulation for one that holds beside the other, or attributes mjc: for a sequence as in MJCF"
+                "physics:excludeFromArticulation for one that holds in addition to the other, or attributes mjc: for a sequence as in MJCF"
             )
         between = _inverse(before.last()) @ joint.frames[0] @ joint.motions[0].before
         opened = replace(joint.motions[0], before=between)
@@ -510,7 +539,7 @@ def from_usd(stage: Any, *, prim: str = "/", name: str | None = None) -> Model:
     joint: its two frames coincide. D6 joints are slides, then hinges about x, y, z (a ball, if all three are free), named "JOINT:rotX".
     Armatures: newton:armature, physxJoint:armature, mjc:armature. prim: path of the robot, if the stage has several. Bodies without a
     joint to the ground: one group becomes the base (Model.system(base="floating"); its link with PhysicsArticulationRootAPI, or the first
-    that is no body 1), several have free joints in a link "world".
+    that is the second body of no joint), several have free joints in a link "world".
     Kinematic bodies are part of the ground, with a ModelWarning. Raises InputError for other joints, two joints between the same
     bodies, open meshes without inertia, couplings by curves.
 
@@ -519,7 +548,7 @@ def from_usd(stage: Any, *, prim: str = "/", name: str | None = None) -> Model:
     reader = _Reader(stage, prim)
     joints = _merged(reader.joints())
     links = _Names(list(reader.bodies))
-    writer = _Writer(joints, links)
+    writer = _Writer(joints, links, reader.metre)
     near: dict[str, list[_Joint]] = {}
     for joint in joints:
         if not joint.loop:

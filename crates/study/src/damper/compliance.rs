@@ -265,7 +265,7 @@ pub(crate) fn has_elastic_joints(evaluated: &EvaluatedQuestion) -> bool {
     has_bushes(evaluated) || has_gears(evaluated)
 }
 
-/// Compliance of the bushes and gears at a contact; `None` for a model without them, or with the reason as a finding. `damping`: contact whose
+/// Compliance of the bushes and gears at a contact; `None` for a model without them, or with the reason as a finding; and findings. `damping`: contact whose
 /// stiffness is judged.
 ///
 /// # Errors
@@ -273,9 +273,9 @@ pub(crate) fn has_elastic_joints(evaluated: &EvaluatedQuestion) -> bool {
 pub(crate) fn compliance(
     evaluated: &EvaluatedQuestion,
     damping: Option<&DampingQuestion>,
-) -> Result<(Option<ComplianceRecord>, Option<Finding>), StudyError> {
+) -> Result<(Option<ComplianceRecord>, Vec<Finding>), StudyError> {
     if !has_elastic_joints(evaluated) {
-        return Ok((None, None));
+        return Ok((None, Vec::new()));
     }
     let system = elastic_system(evaluated);
     let found =
@@ -300,11 +300,11 @@ pub(crate) fn compliance(
                     (contact.impulse_change, contact.force_change) = (None, None);
                 }
             }
-            Ok((Some(record), finding.or(left_out)))
+            Ok((Some(record), finding.into_iter().chain(left_out).collect()))
         }
         Err(StudyError::NoResult(error)) => {
             let message = format!("the compliance of the bushes and gears is not computed: {error}");
-            Ok((None, Some(Finding::about_result(FindingKind::NoCompliance, message))))
+            Ok((None, vec![Finding::about_result(FindingKind::NoCompliance, message)]))
         }
         Err(error) => Err(error),
     }

@@ -41,11 +41,11 @@ fn with_compliance(
     evaluated: &EvaluatedQuestion,
     damping: Option<&DampingQuestion>,
 ) -> Result<MassReport, StudyError> {
-    let (compliance, finding) = compliance(evaluated, damping)?;
-    if compliance.is_some() || finding.is_some() {
+    let (compliance, findings) = compliance(evaluated, damping)?;
+    if compliance.is_some() || !findings.is_empty() {
         report.diagnostics.retain(|found| !FindingKind::ELASTIC.iter().any(|kind| kind.code() == found.code));
     }
-    report.diagnostics.extend(finding.map(Into::into));
+    report.diagnostics.extend(findings.into_iter().map(Into::into));
     Ok(MassReport { compliance, ..report })
 }
 

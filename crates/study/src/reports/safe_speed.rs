@@ -13,7 +13,7 @@ use crate::pose::positions::Positions;
 use crate::question::errors::question_error::{StudyError, branch_limits_text};
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
-use crate::question::tables::extremes::ExtremesQuestion;
+use crate::question::tables::extremes::{DEFAULT_BOXES, ExtremesQuestion};
 use crate::question::tables::safe_speed::{Limit, SafeSpeedQuestion};
 use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
@@ -29,6 +29,12 @@ use std::ops::ControlFlow;
 
 /// Positions at which the standard's mass is compared with m̄.
 const SAMPLES: usize = 500;
+/// Largest number of rows of a proof, which takes minutes.
+const MOST_SEGMENTS: usize = 100_000;
+/// Boxes of all segments of a proof along rows: about a minute.
+const BOXES_OF_ROWS: u32 = 1_000_000;
+/// Fewest boxes of a segment.
+const LEAST_BOXES: u32 = 64;
 
 /// Speed for one mass of the robot.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
@@ -260,18 +266,20 @@ fn proved_record(
 fn share_above(evaluated: &EvaluatedQuestion, ranges: &[JointRange], mass: f64) -> Option<f64> {
     let prepared = &evaluated.prepared;
     let (mut count, mut above) = (0, 0);
+    // Additive recurrence with the powers of the root of x^(n+1) = x + 1, evenly distributed.
+    let n = ranges.len() as f64;
+    let root = (0..40).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (n + 1.0)));
     for sample in 1..=SAMPLES {
         let mut configuration = prepared.configuration.clone();
         for (k, range) in ranges.iter().enumerate() {
-            // Additive recurrence with the powers of the root of x^(n+1) = x + 1, evenly distributed.
-            let n = ranges.len() as f64;
-            let root = (0..40).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (n + 1.0)));
             let part = (sample as f64 * root.powi(-(k as i32) - 1)).fract();
             let name = prepared.model.mechanism.joint(range.joint).name();
             configuration.replace(name, &[range.lower + part * (range.upper - range.lower)]).ok()?;
         }
         let Ok(pose) = prepared.system.pose_from(&evaluated.pose, &configuration) else { continue };
-        let Ok(response) = pose.respond(&prepared.contact_at(&pose)) else { continue };
+        let Ok(response) = pose.respond(&prepared.contact_of_row(&evaluated.contact, &pose)) else {
+            continue;
+        };
         count += 1;
         above += usize::from(match response.effective_mass {
             EffectiveMass::Finite(found) => found > mass,
@@ -300,9 +308,19 @@ fn proved_along(
             own.map(|tracking| tracking.error).fold(0.0, f64::max)
         })
         .collect();
-    let question = proof_question(asked);
+    let count = rows.len().saturating_sub(1).max(1);
+    if count > MOST_SEGMENTS {
+        let why = format!(
+            "a proof covers at most {MOST_SEGMENTS} rows, given are {}; expected fewer rows",
+            rows.len()
+        );
+        return Err(StudyError::input("safe_speed.input", why));
+    }
+    // All segments together have the boxes of some proofs over ranges.
+    let boxes = (BOXES_OF_ROWS / count as u32).clamp(LEAST_BOXES, DEFAULT_BOXES);
+    let question = ExtremesQuestion { boxes: Some(boxes), ..proof_question(asked) };
     let (mut worst, mut above): (Option<(f64, usize, ExtremesCertificateRecord)>, usize) = (None, 0);
-    let (mut is_sharp, count) = (true, rows.len().saturating_sub(1).max(1));
+    let mut is_sharp = true;
     for segment in 0..count {
         let ends = [&rows[segment], rows.get(segment + 1).unwrap_or(&rows[segment])];
         let range = |(k, joint): (usize, &JointId)| {
@@ -419,6 +437,12 @@ fn safe_speed_along(
     let columns = sweep.heading().varied.iter().filter_map(|column| of_column(column.joint.as_deref()?));
     let mut joints: Vec<JointId> = columns.collect();
     joints.dedup();
+    let mut varied = sweep.heading().varied.iter();
+    if asked.certify.is_some() && !varied.all(|column| column.joint.as_deref() == Some(column.name.as_str()))
+    {
+        let why = "a proof covers rows of joints with one position; expected no travel and no joint with several numbers";
+        return Err(StudyError::input("safe_speed.input", why));
+    }
     let mut rows: Vec<Vec<f64>> = Vec::new();
     let end = sweep.run(&mut |row| {
         if asked.certify.is_some() {

@@ -111,11 +111,16 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
             (Some(record), _) => {
                 let sharp =
                     if proved.is_sharp { "" } else { "; not sharp: smaller ranges give a higher speed" };
-                let where_ = match proved.segments.zip(proved.slowest_segment) {
-                    Some((count, slowest)) => format!("upper bound of segment {slowest} of {count}"),
+                let description = match proved.segments.zip(proved.slowest_segment) {
+                    Some((count, slowest)) => {
+                        format!(
+                            "upper bound between rows {slowest} and {}, the largest of {count} segments",
+                            slowest + 1
+                        )
+                    }
                     None => "upper bound for all positions in the ranges".to_owned(),
                 };
-                format!("{}{sharp}", speed(record, &where_))
+                format!("{}{sharp}", speed(record, &description))
             }
             (None, Some(reason)) => format!("no certificate: {reason}"),
             (None, None) => {
@@ -127,9 +132,8 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
         if let Some(share) = share.filter(|share| *share > 0.0) {
             let what = if proved.segments.is_some() { "segments" } else { "sampled positions" };
             let text = format!(
-                "{mass} is too small in {} % of the {what}",
-                number((1000.0 * share).round() / 10.0),
-                mass = "M/2 + m_L"
+                "M/2 + m_L is too small in {} % of the {what}",
+                number((1000.0 * share).round() / 10.0)
             );
             fact("the standard's mass", text);
         }

@@ -60,6 +60,7 @@ pub(super) fn text(
             page.warning("the required values are not reached; the nearest values found follow");
         }
         page.table(&kinematics::search_table(report).rows());
+        add_warnings(&report.diagnostics, &mut page);
     }
     let damper = results
         .report

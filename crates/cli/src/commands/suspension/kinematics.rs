@@ -162,7 +162,8 @@ fn check_reached(report: &TargetReport) -> Result<(), Failure> {
 }
 
 /// Shows the search of a study on stdout.
-pub fn show_targets(report: &TargetReport) -> Result<(), Failure> {
+pub fn show_targets(report: &TargetReport, strict: bool) -> Result<(), Failure> {
+    write_diagnostics(&report.diagnostics, strict)?;
     write_text(&search_text(report))?;
     check_reached(report)
 }

@@ -83,7 +83,7 @@ impl Pose {
                     .ok_or_else(no_driver)
             })
             .collect::<Result<Vec<_>, _>>()?;
-        varied.extend(problem.spread(&proof)?);
+        varied.extend(problem.vary_contact(&proof)?);
         if !problem.loops.is_empty() {
             // An immovable or massless contact, or a change point, at the pose.
             self.certify(contact)?;

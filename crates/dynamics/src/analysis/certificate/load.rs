@@ -76,7 +76,7 @@ impl Load<Interval> {
     /// has no fixed normal against the ground. The numbers of their positions begin at `first`; the result has their ranges.
     ///
     /// A normal of the contact link is turned by the body of the contact. For a normal of the root link all bodies are turned against it.
-    pub fn spread(
+    pub fn vary(
         &mut self,
         plan: &mut Plan<Interval>,
         proof: &RangeProof,
@@ -91,7 +91,7 @@ impl Load<Interval> {
         let mut on = On { body: self.on.body, frame };
         for edge in proof.edges.into_iter().map(Vector3::from).filter(|edge| edge.norm() > 0.0) {
             varied.push((first + varied.len(), 0.0, edge.norm().next_up()));
-            on = plan.carry(on, JointKind::Prismatic, edge.normalize(), varied.last()?.0);
+            on = plan.add_massless_body(on, JointKind::Prismatic, edge.normalize(), varied.last()?.0);
         }
         if proof.cone > 0.0 {
             let (psi, theta) = (first + varied.len(), first + varied.len() + 1);
@@ -99,12 +99,12 @@ impl Load<Interval> {
             match &self.normal {
                 Normal::Link(n) => {
                     let n = n.map(|x| x.mid()).normalize();
-                    on = plan.carry(on, JointKind::Revolute, n, psi);
-                    on = plan.carry(on, JointKind::Revolute, plane_basis(&n).0, theta);
+                    on = plan.add_massless_body(on, JointKind::Revolute, n, psi);
+                    on = plan.add_massless_body(on, JointKind::Revolute, plane_basis(&n).0, theta);
                 }
                 Normal::Root(n) => {
                     let n = n.map(|x| x.mid()).normalize();
-                    plan.mount(&[(plane_basis(&n).0, theta), (n, psi)]);
+                    plan.turn_all_bodies(&[(plane_basis(&n).0, theta), (n, psi)]);
                     on.body = on.body.map(|body| body + 2);
                 }
                 Normal::Against(_) | Normal::Line(..) => return None,

@@ -288,16 +288,22 @@ impl Plan<Interval> {
     }
 
     /// Body without mass and velocity, whose position `q` turns it about an axis or moves it along the axis.
-    pub fn carry(&mut self, on: On<Interval>, kind: JointKind, axis: Vector3<f64>, q: usize) -> On<Interval> {
+    pub fn add_massless_body(
+        &mut self,
+        on: On<Interval>,
+        kind: JointKind,
+        axis: Vector3<f64>,
+        q: usize,
+    ) -> On<Interval> {
         self.attach(on, kind, Some(axis), (q, None), Vec::new())
     }
 
     /// Turns all bodies about the axes at the ground, the last one first, by the positions: (axis, position).
-    pub fn mount(&mut self, turns: &[(Vector3<f64>, usize)]) {
+    pub fn turn_all_bodies(&mut self, turns: &[(Vector3<f64>, usize)]) {
         let bodies = std::mem::take(&mut self.steps);
         let mut on = On { body: None, frame: Transform::identity() };
         for (axis, q) in turns {
-            on = self.carry(on, JointKind::Revolute, *axis, *q);
+            on = self.add_massless_body(on, JointKind::Revolute, *axis, *q);
         }
         let count = self.steps.len();
         self.steps.extend(bodies.into_iter().map(|step| match step.parent {

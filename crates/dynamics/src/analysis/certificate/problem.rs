@@ -9,6 +9,7 @@ use crate::kinematics::contact::Contact;
 use crate::model::Model;
 use percuss_mechanism::JointKind;
 use percuss_spatial::Interval;
+use std::f64::consts::FRAC_PI_2;
 
 /// Parts of a proof at a pose.
 pub(super) struct Problem<'a> {
@@ -72,14 +73,17 @@ impl<'a> Problem<'a> {
         })
     }
 
-    /// Varies the point and the normal of the contact as a proof asks; the result has the ranges of further positions.
-    pub fn spread(&mut self, proof: &RangeProof) -> Result<Vec<(usize, f64, f64)>, NoCertificate> {
+    /// Varies the point and the normal of the contact for the cone and the edges of a proof; returns the ranges of the further positions.
+    pub fn vary_contact(&mut self, proof: &RangeProof) -> Result<Vec<(usize, f64, f64)>, NoCertificate> {
         if proof.cone == 0.0 && proof.edges == [[0.0; 3]; 2] {
             return Ok(Vec::new());
         }
         let first = self.q.len();
-        let varied = self.loops.is_empty().then(|| self.load.spread(&mut self.plan, proof, first)).flatten();
-        let varied = varied.ok_or(NoCertificate::Spread)?;
+        let is_valid =
+            (0.0..=FRAC_PI_2).contains(&proof.cone) && proof.edges.iter().flatten().all(|x| x.is_finite());
+        let is_valid = is_valid && self.loops.is_empty();
+        let varied = is_valid.then(|| self.load.vary(&mut self.plan, proof, first)).flatten();
+        let varied = varied.ok_or(NoCertificate::VariedContact)?;
         self.q.extend(varied.iter().map(|(_, lower, upper)| Interval::point(0.5 * lower + 0.5 * upper)));
         Ok(varied)
     }

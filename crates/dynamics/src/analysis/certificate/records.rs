@@ -34,10 +34,10 @@ pub enum NoCertificate {
     Immovable,
     /// A cone of normals or edges of points.
     #[error(
-        "a cone of normals and edges of contact points are proved for trees, against the ground, along a fixed normal of the contact link or \
+        "a cone of normals (0 to 90°) and edges of contact points are proved for trees, against the ground, along a fixed normal of the contact link or \
          the world"
     )]
-    Spread,
+    VariedContact,
     /// A joint of a range.
     #[error(
         "joint \"{joint}\" does not drive the pose by one position; give ranges of driving joints with one position"
@@ -85,7 +85,7 @@ pub struct RangeProof {
     pub only_largest: bool,
     /// Largest angle between the normal (for a moment: the axis) and that of the contact, rad; 0 for that of the contact alone.
     pub cone: f64,
-    /// Edges eᵢ of the contact points p + Σ xᵢ eᵢ, 0 ≤ xᵢ ≤ 1, in the frame of the contact link, m; zero for none.
+    /// Edges eᵢ of the contact points p + Σ xᵢ eᵢ, 0 ≤ xᵢ ≤ 1, in the frame of the contact link, m; zero without an edge.
     pub edges: [[f64; 3]; 2],
 }
 

@@ -81,7 +81,9 @@ impl ElasticSystem {
         let lossy: f64 = self.rows.iter().map(|row| row.loss_factor * energy(row)).sum();
         let damped: f64 = self.rows.iter().map(|row| row.damping * row.row.dot(&motion).powi(2)).sum();
         let omega = elastic.max(0.0).sqrt();
-        let share = |row: &ElasticRow| (row.element.clone(), row.direction, energy(row) / elastic);
+        // Without the geometric stiffness, whose energy may be negative.
+        let of_rows: f64 = self.rows.iter().filter(|row| row.is_elastic()).map(energy).sum();
+        let share = |row: &ElasticRow| (row.element.clone(), row.direction, energy(row) / of_rows);
         let mut rows: Vec<_> =
             self.rows.iter().filter(|row| row.is_elastic() && energy(row) > 0.0).map(share).collect();
         rows.sort_by(|a, b| b.2.total_cmp(&a.2));

@@ -86,7 +86,12 @@ impl ElasticSystem {
             let stiffness = self.sum_of_rows(|row| if row.is_rigid { row.stiffness } else { 0.0 });
             let geometric = self.sum_of_rows(|row| if row.is_geometric() { row.stiffness } else { 0.0 });
             let elastic = self.without_rigid_momentum(&held)?;
-            let whole = held.range.tr_mul(&stiffness) * &held.range + elastic.tr_mul(&geometric) * elastic;
+            let own = held.range.tr_mul(&stiffness) * &held.range;
+            // Rows with a damper alone leave a motion without stiffness.
+            if !applied.is_empty() && stiffness_factor(&own).is_none() {
+                return Ok(result);
+            }
+            let whole = own + elastic.tr_mul(&geometric) * elastic;
             Some(solve_positive(&whole, &applied).ok_or(ComplianceError::Unstable)?)
         } else {
             self.solve_by_roots(&held.range, &applied)
@@ -99,12 +104,12 @@ impl ElasticSystem {
         let of_rows: f64 = rigid_rows().map(|row| energy_of(row.stiffness, &row.row)).sum();
         let compliance = if is_loaded { work } else { of_rows };
         result.compliance = Some(compliance);
-        if compliance > 0.0 {
+        if of_rows > 0.0 {
             result.shares = rigid_rows()
                 .map(|row| RowShare {
                     element: row.element.clone(),
                     direction: row.direction,
-                    share: energy_of(row.stiffness, &row.row) / compliance,
+                    share: energy_of(row.stiffness, &row.row) / of_rows,
                 })
                 .collect();
             result.shares.sort_by(|a, b| b.share.total_cmp(&a.share));

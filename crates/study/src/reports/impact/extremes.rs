@@ -22,7 +22,7 @@ use crate::question::travel::varied_values::PathPlace;
 use crate::reports::impact::additions::find_bearing;
 use crate::sweep::sweep_rows::Sweep;
 use nalgebra::Vector3;
-use percuss_dynamics::{Contact, Gap, Pose};
+use percuss_dynamics::{Contact, Direction, Frame, Gap, Pose};
 use percuss_impact::{
     DriverPath, ExtremeKind, ExtremeMass, ExtremeOnPath, JointRange, KeptPoint, NormalRange, PeakForceLaw,
     ReactionMap, SearchedContact, SearchedPoses, SearchedQuantity, driving_joints, extreme_along_path,
@@ -238,11 +238,19 @@ pub fn extremes(
     findings.extend(findings_at_touch(model, question));
     findings.retain(|finding| !of_range(finding));
     for (value, (extreme, _)) in ["smallest", "largest"].into_iter().zip(&found.extremes) {
-        let has_contact = extreme.normal_world.is_none()
-            && extreme.point_link.is_none()
-            && matches!(quantity, SearchedQuantity::EffectiveMass | SearchedQuantity::BearingImpulse { .. });
-        let there = pose_at(extreme).filter(|_| has_contact);
-        let result = there.and_then(|there| prepared.evaluate(&there, &prepared.contact_at(&there)).ok());
+        let is_of_contact =
+            matches!(quantity, SearchedQuantity::EffectiveMass | SearchedQuantity::BearingImpulse { .. });
+        let there = pose_at(extreme).filter(|_| is_of_contact);
+        let result = there.and_then(|there| {
+            let own = prepared.contact_of_row(&contact, &there);
+            let normal = match extreme.normal_world {
+                Some(axis) if is_moment => Direction::About(axis, Frame::World),
+                Some(normal) => Direction::Along(normal, Frame::World),
+                None => own.normal,
+            };
+            let point = extreme.point_link.unwrap_or(own.point);
+            prepared.evaluate(&there, &Contact { point, normal, ..own }).ok()
+        });
         let of_pose = result.into_iter().flat_map(|result| result.findings);
         let of_pose = of_pose.filter(|finding| finding.kind().scope() == FindingScope::Pose);
         findings.extend(of_pose.map(|finding| finding.with_place(&format!("at the {value} value"))));
