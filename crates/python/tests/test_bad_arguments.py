@@ -34,7 +34,7 @@ import percuss
 TIME = 60
 #: Arguments that a message names otherwise: a file by its path, a text by its line, a limit by the file that exceeds it, a
 #: request by its keys, a density by the masses.
-OTHER_NAMES = {"path", "text", "input", "max_size", "rack_mass", "request", "shape_density"}
+OTHER_NAMES = {"path", "text", "input", "max_size", "rack_mass", "request", "shape_density", "replaces"}
 #: Values that are valid alone: the message names the part that does not fit to them.
 VALID_ALONE = {"a model", "another model", "another contact", "a pose of another model"}
 #: Values whose results are out of range: the message names the result.
@@ -189,6 +189,12 @@ CASES: dict[str, Call] = {
         ARM.changed,
         {"link_mass": {"tool": 1.0}, "link_com": {"tool": [0, 0, 0]}, "link_inertia": {"tool": [1e-3, 1e-3, 1e-3]}, "move": {}, "shape_density": None,
          "total_mass": None},
+    ),
+    "Model.with_bush": Call(
+        ARM.with_bush,
+        {"name": "rubber", "link": "tool", "stiffness": [100.0, 100.0, 50.0, 1e6, 1e6, 1e5], "against": "world", "at": [0.0, 0.0, 0.0],
+         "axis": [0.0, 0.0, 1.0], "x_axis": [1.0, 0.0, 0.0], "damping": [0.0] * 6, "loss_factor": 0.1, "dynamic_factor": 1.2,
+         "preload": [0.0] * 6, "replaces": [], "rigid": [False] * 6},
     ),
     "Model.to_urdf": Call(ARM.to_urdf, {}),
     "Model.to_mjcf": Call(ARM.to_mjcf, {}),

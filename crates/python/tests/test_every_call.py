@@ -45,7 +45,7 @@ NO_CALLS = {
     "ArgumentTypeError", "AssemblyError", "InputError", "LoadError", "ModelWarning", "NoAnswerError", "NotComputedError", "PercussError",
     "converters", "errors", "records", "reports", "results", "Report", "MapReport", "Impacts", "SweepRow",
     # These need other programs; tests/peers/converters.py tests them.
-    "from_mujoco", "from_pinocchio",
+    "from_mujoco", "from_pinocchio", "from_usd",
 }  # fmt: skip
 
 ARM = percuss.load(ROOT / "models/six_r_arm.urdf")

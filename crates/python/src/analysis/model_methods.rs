@@ -205,6 +205,16 @@ impl Model {
         replaces: Vec<String>,
         rigid: Option<[bool; 6]>,
     ) -> PyResult<Self> {
+        if against != "world" {
+            let found = self.read.mechanism.find_link(against);
+            found.map_err(|error| errors::of_argument("against")(errors::input(error)))?;
+        }
+        for (name, factor) in [("loss_factor", loss_factor), ("dynamic_factor", dynamic_factor)] {
+            if !factor.is_finite() {
+                let why = format!("it is {factor}; expected a finite number");
+                return Err(errors::of_argument(name)(errors::input(why)));
+            }
+        }
         let z = Vector3::from(axis).try_normalize(0.0);
         let z = z.ok_or_else(|| {
             errors::of_argument("axis")(errors::input("the axis is zero; expected a direction"))
