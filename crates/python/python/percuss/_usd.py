@@ -41,9 +41,9 @@ class _Coupling:
 
 @dataclass(frozen=True)
 class _Motion:
-    """One freedom of a joint: kind "hinge", "slide" or "ball". Freedoms follow each other from body 0 to body 1.
+    """Part of a joint: kind "hinge", "slide" or "ball". The parts follow each other from body 0 to body 1.
 
-    degree: name of UsdPhysics, such as "rotX". low, high: rad or m. before: placement after the freedom before, 4×4, m.
+    degree: name of UsdPhysics, such as "rotX". low, high: rad or m. before: placement after the previous part, 4×4, m.
     """
 
     path: str
@@ -64,7 +64,7 @@ class _Motion:
 class _Joint:
     """Joint of the stage. bodies: path of the prim or _GROUND; frames: of the joint in the bodies, 4×4, m.
 
-    sequence: freedoms of one body in several joints, as in MJCF. distance: m, of a distance joint.
+    sequence: one of several joints of a body, as in MJCF. distance: m, of a distance joint.
     """
 
     path: str
@@ -80,7 +80,7 @@ class _Joint:
         return self.last() @ _inverse(self.frames[1])
 
     def last(self) -> _Array:
-        """Placement of the last freedom in body 0 with the joint at zero."""
+        """Placement of the last part in body 0 with the joint at zero."""
         frame = self.frames[0]
         for motion in self.motions:
             frame = frame @ motion.before
@@ -88,7 +88,7 @@ class _Joint:
 
 
 def _held(degree: str, value: float) -> _Array:
-    """Placement of a freedom held at a value, rad or m."""
+    """Placement of a degree of freedom held at a value, rad or m."""
     x, frame = np.asarray(_AXES[degree[-1]]), np.eye(4)
     if degree.startswith("trans"):
         frame[:3, 3] = value * x
@@ -299,7 +299,7 @@ class _Reader:
             )
         armature, couplings = self.armature(prim), self.couplings(prim, motions)
         if couplings.keys() - {motion.degree for motion in motions} or (armature and not motions):
-            raise InputError(f'joint "{path}" has an armature or a mimic of a freedom that it does not have')
+            raise InputError(f'joint "{path}" has an armature or a mimic of a degree of freedom that it does not have')
         motions = [
             replace(
                 motion,
@@ -335,7 +335,7 @@ class _Reader:
         return low, high
 
     def freedoms(self, joint: Any) -> tuple[list[_Motion], _Array]:
-        """Freedoms of a D6 joint, and the placement of the second frame after the last of them."""
+        """Parts of a D6 joint, and the placement of the second frame after the last part."""
         path = str(joint.primPath)
         limits = {pair.first.name[0].lower() + pair.first.name[1:]: pair.second for pair in joint.jointLimits}
         if "distance" in limits and limits["distance"].enabled:
@@ -367,7 +367,7 @@ class _Reader:
         return motions, before
 
     def couplings(self, prim: Any, motions: list[_Motion]) -> dict[str, _Coupling]:
-        """Mimics of Newton (q = c₀ + c₁ q of the leader) and PhysX (q + g q of the reference + o = 0), by freedom."""
+        """Mimics of Newton (q = c₀ + c₁ q of the leader) and PhysX (q + g q of the reference + o = 0), by degree of freedom."""
 
         def value(name: str, otherwise: float) -> float:
             found = self.attribute(prim, name)
@@ -386,7 +386,7 @@ class _Reader:
         if (leader := target("newton:mimicJoint") or target("mjc:target")) and value("newton:mimicEnabled", 1.0):
             if not own or any(value(f"mjc:coef{n}", 0.0) for n in range(2, 5)):
                 raise InputError(
-                    f'joint "{prim.GetPath()}" follows "{leader}" by a curve or with several freedoms; expected one factor and one offset'
+                    f'joint "{prim.GetPath()}" follows "{leader}" by a curve, or has several degrees of freedom; expected one factor and one offset'
                 )
             constant = value("newton:mimicCoef0", math.nan) * unit(own)
             metre = self.metre if own.startswith("trans") else 1.0
@@ -428,7 +428,7 @@ class _Writer:
         )
 
     def extras(self, motion: _Motion, reverse: bool) -> str:
-        """Limits, axis, armature and mimic of a freedom."""
+        """Limits, axis, armature and mimic of a part."""
         text = ""
         if math.isfinite(motion.low) and math.isfinite(motion.high):
             text = f'<limit lower="{motion.low!r}" upper="{motion.high!r}" effort="0" velocity="0"/>'
@@ -440,7 +440,7 @@ class _Writer:
             degrees = [degree for path, degree in self.coordinates if path == coupling.leader]
             if coupling.degree not in degrees and len(degrees) != 1:
                 raise InputError(
-                    f'joint "{motion.path}" follows "{coupling.leader}", which has the freedoms {degrees}; expected one, or its axis'
+                    f'joint "{motion.path}" follows "{coupling.leader}", which has the degrees of freedom {degrees}; expected one, or its axis'
                 )
             degree = coupling.degree if coupling.degree in degrees else degrees[0]
             angle = 1.0 if coupling.in_radians else math.radians(1.0)
@@ -451,8 +451,8 @@ class _Writer:
         return text
 
     def chain(self, joint: _Joint, parent: str, child: str | None, reverse: bool) -> tuple[str, _Array]:
-        """Joints from the parent over the freedoms to the child; without a child: last link, and the joint's second frame in it."""
-        # Placements between the freedoms, from body 0 to body 1.
+        """Joints from the parent over all parts to the child; without a child: last link, and the joint's second frame in it."""
+        # Placements between the parts, from body 0 to body 1.
         between = [joint.frames[0] @ joint.motions[0].before, *(motion.before for motion in joint.motions[1:])] if joint.motions else []
         between.append(_inverse(joint.frames[1]) if joint.motions else joint.drawn())
         motions = joint.motions
@@ -519,7 +519,7 @@ def _merged(joints: list[_Joint]) -> list[_Joint]:
         same = before.bodies == joint.bodies and before.sequence and joint.sequence and before.motions and joint.motions
         if not (same and np.allclose(before.drawn(), joint.drawn(), rtol=0.0, atol=1e-5)):
             raise InputError(
-                f'joints "{before.path}" and "{joint.path}" join the same bodies; expected one joint with both freedoms (D6), '
+                f'joints "{before.path}" and "{joint.path}" join the same bodies; expected one joint with both degrees of freedom (D6), '
                 "physics:excludeFromArticulation for one that holds in addition to the other, or attributes mjc: for a sequence as in MJCF"
             )
         between = _inverse(before.last()) @ joint.frames[0] @ joint.motions[0].before
