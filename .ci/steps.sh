@@ -12,7 +12,8 @@ run_step() {
   local name=$1 code TIMEFORMAT='%R %U %S'
   shift
   echo "== $name: $*"
-  { time "$@" 2>&3; } 3>&2 2> "$steps/$name.time"
+  # In a subshell: otherwise the time contains that of steps beside which end meanwhile.
+  ( time "$@" 2>&3 ) 3>&2 2> "$steps/$name.time"
   code=$?
   echo "$code" > "$steps/$name.code"
   echo "== $name: exit $code"
