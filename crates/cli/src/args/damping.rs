@@ -50,7 +50,7 @@ pub struct DampArgs {
 /// Flags of `percuss restitution`.
 #[derive(Debug, Args)]
 pub struct RestitutionArgs {
-    /// URDF file; - reads the standard input. Without it, --mass.
+    /// URDF, MJCF or SDF, or a suspension sheet or table. Without it, --mass.
     #[arg(required_unless_present = "mass")]
     pub model: Option<String>,
     /// Effective mass (kg), in place of a contact of a model.
@@ -106,7 +106,7 @@ pub struct ResponseArgs {
 /// Flags of `percuss safe-speed`.
 #[derive(Debug, Args)]
 pub struct SafeSpeedArgs {
-    /// URDF file; - reads the standard input.
+    /// URDF, MJCF or SDF, or a suspension sheet or table.
     #[arg(required_unless_present = "list_regions")]
     pub model: Option<String>,
     #[command(flatten)]

@@ -41,7 +41,14 @@ pub fn usage_error(error: &Error, definition: &Command, arguments: &[OsString]) 
             } else {
                 format!("{} and flags", expected.join(", "))
             };
-            format!("{argument}: {name} takes {expected}; remove this argument")
+            let model = command.get_arguments().find(|known| {
+                known.get_value_names().is_some_and(|names| names.iter().any(|value| value == "MODEL"))
+            });
+            let remedy = match model.and_then(|model| model.get_long()) {
+                Some(flag) => format!("a model is given as --{flag} {argument}"),
+                None => "remove this argument".to_owned(),
+            };
+            format!("{argument}: {name} takes {expected}; {remedy}")
         }
         ErrorKind::InvalidValue => {
             let known = parts(error, ContextKind::ValidValue);
