@@ -72,8 +72,8 @@ pub use several::laws::{
 pub use several::state_impact::{ContactsLaw, StateImpact, state_impact};
 pub use several::sticking::{StickingContact, StickingImpact, sticking_impact};
 pub use time::compliant::impact::{
-    CompliantEnergy, CompliantImpact, CompliantLaw, CompliantSample, ContactEnd, ElementPeak, SecondHit,
-    compliant_impact, compliant_impact_of,
+    CompliantEnergy, CompliantImpact, CompliantLaw, CompliantSample, ContactEnd, ElementPeak, ForcesAtTouch,
+    SecondHit, compliant_impact, compliant_impact_of, compliant_impact_with_forces,
 };
 pub use time::conditions::TimeConditions;
 pub use time::history::{EnergyBalance, ImpactInTime, ImpactSample, SecondTouch, peak_over_time};

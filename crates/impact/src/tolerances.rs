@@ -139,10 +139,15 @@ pub const STEPS_WITHOUT_REBOUND: usize = 64;
 /// Distance from a point of the force curve, over the penetration without damping, within which the integration is at the point: its location
 /// has an error of [`CONTACT_ENDS`].
 pub const CORNER_DISTANCE: f64 = 1e-12;
-/// Part of the largest force of a contact so far from which the largest force within a step is searched: samples within a step have two digits.
+/// Part of the largest sample of a force above which a maximum of the samples is refined: samples have two digits.
 pub const NEAR_PEAK: f64 = 0.98;
-/// Width, relative to the step, at which the search of the largest force ends: a corner of a damper curve then has an error of 1e-9 of the force.
-pub const PEAK_PLACE: f64 = 1e-9;
+/// Largest number of refined maxima of one force.
+pub const MOST_PEAKS: usize = 8;
+/// Force in a bearing over that of the contact, up to which its maxima are rounding.
+pub const NO_FORCE: f64 = 1e-9;
+/// Width, relative to the distance of the samples, at which the search of the largest force ends: a corner of a damper curve then has an error of 1e-9 of
+/// the force.
+pub const PEAK_WIDTH: f64 = 1e-9;
 /// Ratio of the golden section.
 pub const GOLDEN: f64 = 0.618_033_988_749_894_8;
 

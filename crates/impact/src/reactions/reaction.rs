@@ -156,6 +156,16 @@ impl Reactions {
         }
     }
 
+    /// Magnitudes of the forces of all reactions, N·s for impulses, of the components that are determinate: joints, closures, held contacts, then
+    /// the ground.
+    pub fn determinate_forces(&self) -> Vec<f64> {
+        let joints = self.joints.iter().map(|joint| &joint.reaction);
+        let all = joints.chain(&self.closures).chain(&self.holds).chain(&self.ground);
+        let size =
+            |force: &[Component; 3]| force.iter().filter_map(|c| c.value()).map(|x| x * x).sum::<f64>();
+        all.map(|reaction| size(&reaction.force).sqrt()).collect()
+    }
+
     /// All reactions times a factor; the relative residual is kept.
     pub fn scaled(&self, factor: f64) -> Self {
         let joint = |j: &JointReaction| JointReaction {

@@ -1,8 +1,8 @@
 //! Points of the motion of an impact within a step: points of a force curve, reversals, the largest penetration, the end.
 
-use crate::numerics::extrapolation::step;
+use crate::numerics::extrapolation::state_after;
 use crate::time::history::SecondTouch;
-use crate::time::impact_in_time::{Instant, Motion, finite_mass};
+use crate::time::motion::{Instant, Motion, finite_mass};
 use crate::tolerances::{
     CONTACT_ENDS, CORNER_DISTANCE, END_ITERATIONS, LARGEST_TIME_STEP, MOST_TIME_STEPS, TIME_STEP_ERROR,
 };
@@ -12,6 +12,8 @@ use percuss_dynamics::Pose;
 const STICKING_STEP: f64 = 0.01;
 /// Distance of a point of the force curve, over the penetration without damping, within which a step is examined.
 const NEAR_CORNER: f64 = 0.01;
+/// Least part of a step before a turn of the motion at which the step ends: the motion starts at an earlier turn otherwise.
+const LEAST_TURN: f64 = 1e-6;
 /// Least gap before a second touch, over the penetration without damping: a smaller gap at the end of the contact is rounding.
 const OPEN_GAP: f64 = 1e-6;
 
@@ -32,14 +34,35 @@ impl Motion<'_> {
             return None;
         }
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
-        let states = |h: f64| step(&f, y, h, TIME_STEP_ERROR).0;
-        let reached = self.instant(&states(h), &mut self.start.clone())?.penetration;
+        let states = |h: f64| state_after(&f, y, h, TIME_STEP_ERROR);
+        let reached = self.instant(&states(h), &mut self.start.clone())?;
         let least = CORNER_DISTANCE * self.depth;
-        let sign = (reached - penetration).signum();
-        let ahead = |x: &&f64| sign * (**x - penetration) > least && sign * (reached - **x) > 0.0;
-        let nearest = |a: &&f64, b: &&f64| (**a - penetration).abs().total_cmp(&(**b - penetration).abs());
-        let corner = *corners.iter().filter(ahead).min_by(nearest)?;
-        self.locate(y, h, &states, &|at| sign * (corner - at.penetration) / self.depth, pose)
+        // First point on the way from one penetration to another.
+        let passed = |from: f64, to: f64| {
+            let sign = (to - from).signum();
+            let ahead = |x: &f64| sign * (x - from) > least && sign * (to - x) > 0.0;
+            let distance = |x: &f64| (x - from).abs();
+            corners.iter().copied().filter(ahead).min_by(|a, b| distance(a).total_cmp(&distance(b)))
+        };
+        let mut until = |corner: f64, h: f64| {
+            let sign = (corner - penetration).signum();
+            self.locate(y, h, &states, &|at| sign * (corner - at.penetration) / self.depth, pose)
+        };
+        if closing * reached.closing < 0.0 {
+            // A motion that turns within the step can pass a point twice: the step ends at its first passage or at the turn.
+            let mut turned = self.start.clone();
+            let away = closing.signum();
+            let (state, turn, part) =
+                self.locate(y, h, &states, &|at| away * at.closing / self.speed, &mut turned)?;
+            if let Some(corner) = passed(penetration, turn.penetration) {
+                return until(corner, part);
+            }
+            if part > LEAST_TURN * h && passed(turn.penetration, reached.penetration).is_some() {
+                *pose = turned;
+                return Some((state, turn, part));
+            }
+        }
+        until(passed(penetration, reached.penetration)?, h)
     }
 
     /// Reversal of the motion within a step of length `h` from `y`, for a force that jumps there; values as for [`corner`](Self::corner).
@@ -48,7 +71,7 @@ impl Motion<'_> {
             return None;
         }
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
-        let states = |h: f64| step(&f, y, h, TIME_STEP_ERROR).0;
+        let states = |h: f64| state_after(&f, y, h, TIME_STEP_ERROR);
         let sign = if self.is_closing.get() { 1.0 } else { -1.0 };
         let reached = self.instant(&states(h), &mut self.start.clone())?.closing;
         if sign * reached >= 0.0 {
@@ -60,7 +83,7 @@ impl Motion<'_> {
     /// True if the sides stay together after a reversal at the state `y`: the force of the new direction does not drive the motion on.
     pub(super) fn sticks(&self, y: &[f64]) -> bool {
         let f = |y: &[f64], out: &mut [f64]| self.derivative(y, out);
-        let after = step(&f, y, STICKING_STEP * LARGEST_TIME_STEP, TIME_STEP_ERROR).0;
+        let after = state_after(&f, y, STICKING_STEP * LARGEST_TIME_STEP, TIME_STEP_ERROR);
         let closing = self.instant(&after, &mut self.start.clone()).map(|at| at.closing);
         closing.is_some_and(|closing| if self.is_closing.get() { closing <= 0.0 } else { closing >= 0.0 })
     }
@@ -148,7 +171,7 @@ impl Motion<'_> {
             let at = self.instant(&next, &mut pose)?;
             is_open |= at.penetration < -OPEN_GAP * self.depth;
             if is_open && at.penetration >= 0.0 && at.closing > 0.0 {
-                let states = |h: f64| step(&f, &state, h, TIME_STEP_ERROR).0;
+                let states = |h: f64| state_after(&f, &state, h, TIME_STEP_ERROR);
                 let gap = |at: &Instant| -at.penetration / self.depth;
                 let (_, at, h) = self.locate(&state, taken, &states, &gap, &mut pose)?;
                 let after_end = (time + h) * self.depth / self.speed;

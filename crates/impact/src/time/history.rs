@@ -72,6 +72,8 @@ pub struct ImpactInTime {
     pub max_penetration: f64,
     /// Largest force, N.
     pub peak_force: f64,
+    /// Largest force (N) in each bearing and its time (s), in the order of [`Reactions::determinate_forces`]; computed with samples within the steps.
+    pub bearing_peaks: Vec<(f64, f64)>,
     /// m̄ at the largest penetration, kg; `None` if it is not finite.
     pub mass_at_max_penetration: Option<f64>,
     /// Energies of the motion.

@@ -6,4 +6,6 @@ pub(crate) mod equations;
 mod events;
 pub(crate) mod history;
 pub(crate) mod impact_in_time;
+mod motion;
 pub(crate) mod motion_forces;
+mod sampler;

@@ -2,10 +2,10 @@
 
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_contact::DamperCurve;
-use percuss_dynamics::{Conditions, Configuration, Contact, LocatedContact, Pose, System};
+use percuss_dynamics::{Conditions, Configuration, Contact, Load, LocatedContact, Pose, System};
 use percuss_impact::{
-    CompliantImpact, CompliantLaw, ContactEnd, JointRates, PointSpring, Support, TimeConditions,
-    compliant_impact, impact_in_time,
+    CompliantImpact, CompliantLaw, ContactEnd, ForcesAtTouch, JointRates, PointSpring, Support,
+    TimeConditions, compliant_impact, compliant_impact_with_forces, impact_in_time,
 };
 use percuss_mechanism::{
     BushDescription, Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
@@ -287,4 +287,78 @@ fn other_forces_are_those_of_the_impact_of_the_rigid_mechanism() {
     assert!((found.peak_force / other.peak_force - 1.0).abs() < 1e-4);
     close(found.energy.taken_by_contact, other.energy.taken_by_contact);
     assert!(found.energy.residual().abs() < 1e-5, "{:?}", found.energy);
+}
+
+/// The largest force at a corner of a force curve, at which the parabola through samples is too large.
+#[test]
+fn peaks_at_corners_are_those_of_the_rigid_mechanism() {
+    let carts = Carts { masses: vec![9.0], bushes: Vec::new() };
+    let (pose, contact) = carts.pose();
+    let cart = pose.mechanism().find_link("cart_0").unwrap();
+    let mut before = JointRates::at_rest(pose.mechanism());
+    before.joints[0] = vec![1.0];
+    for (corner, damping) in [(0.004, 350.0), (0.0025, 500.0), (0.005, 250.0)] {
+        let curve = |x: f64| if x < corner { 2e5 * x } else { 2e5 * corner + 2e3 * (x - corner) };
+        let force = |x: f64, v: f64| curve(x) + damping * v;
+        let law = CompliantLaw { linear: [1e5, 300.0], force: Some(&force) };
+        let conditions = TimeConditions { corners: vec![corner], ..TimeConditions::default() };
+        let found = compliant_impact(&pose, &contact, (1.0, &before), law, &[], &conditions).unwrap();
+        let declared = Contact::new(cart, [0.0; 3], [1.0, 0.0, 0.0]);
+        let other = impact_in_time(&pose, &declared, 1.0, &before, &force, &conditions).unwrap();
+        let at = other.samples.iter().find(|s| (s.penetration - corner).abs() < 1e-12).expect("the corner");
+        assert!((other.peak_force / at.force - 1.0).abs() < 1e-12, "the peak is at the corner");
+        assert!((found.peak_force / at.force - 1.0).abs() < 1e-8, "{} {}", found.peak_force, at.force);
+    }
+}
+
+/// Rod on a rotational bush with a pull at its end: the geometric stiffness makes the contact of the end an oscillator of stiffness
+/// k + (c + P l)/l² and mass m. The whole equation m l² θ″ = −c θ − P l sin θ − k l² sin θ cos θ differs by the square of the angle.
+#[test]
+fn a_pull_acts_by_its_geometric_stiffness() {
+    let (length, mass, rate, k, speed) = (0.8, 3.0, 40.0, 900.0, 1e-4);
+    let mut bush = BushDescription::new("foot", "rod", "ground").replacing("mount");
+    bush.stiffness = [rate, rate, f64::INFINITY, f64::INFINITY, f64::INFINITY, f64::INFINITY];
+    bush.rigid = [true, false, true, true, true, true];
+    let built = MechanismBuilder::new("rod")
+        .link(LinkDescription::massless("ground"))
+        .link(LinkDescription::new("rod", Inertial::point(mass, [0.0, 0.0, length])))
+        .joint(JointDescription::new("mount", JointKind::Continuous, "ground", "rod").axis([0.0, 1.0, 0.0]))
+        .bush(bush);
+    let mechanism = Arc::new(built.build().unwrap().mechanism);
+    let system = System::new(Arc::clone(&mechanism), &Conditions::new()).unwrap();
+    let pose = system.pose(&Configuration::zero(&mechanism)).unwrap();
+    let rod = mechanism.find_link("rod").unwrap();
+    let contact = pose.locate(&Contact::new(rod, [0.0, 0.0, length], [1.0, 0.0, 0.0])).unwrap();
+    let mut before = JointRates::at_rest(&mechanism);
+    before.joints[0] = vec![speed / length];
+    let law = CompliantLaw { linear: [k, 0.0], force: None };
+    let conditions = TimeConditions { ends_without_force: true, ..TimeConditions::default() };
+    for pull in [0.0, 300.0, -40.0] {
+        let load = Load::force(rod, Vector3::new(0.0, 0.0, length), Vector3::new(0.0, 0.0, pull));
+        let forces = ForcesAtTouch { loads: vec![load], ..ForcesAtTouch::default() };
+        let motion = (speed, &before);
+        let found =
+            compliant_impact_with_forces(&pose, &contact, motion, law, &[], &conditions, &forces).unwrap();
+        let stiffness = k + (rate + pull * length) / (length * length);
+        let (depth, duration) = (speed * (mass / stiffness).sqrt(), PI * (mass / stiffness).sqrt());
+        assert!((found.max_penetration / depth - 1.0).abs() < 1e-9, "{pull}: {}", found.max_penetration);
+        assert!((found.duration / duration - 1.0).abs() < 1e-9, "{pull}: {}", found.duration);
+        // The equation itself by the Runge-Kutta method of order 4.
+        let change = |q: f64| {
+            let (s, c) = q.sin_cos();
+            -(rate * q + pull * length * s + k * length * length * s * c) / (mass * length * length)
+        };
+        let (h, mut q, mut u, mut deepest) = (1e-4 * duration, 0.0, speed / length, 0.0_f64);
+        while u > 0.0 {
+            let (a, b) = (change(q), change(q + 0.5 * h * u));
+            let c = change(q + 0.5 * h * (u + 0.5 * h * a));
+            let d = change(q + h * (u + 0.5 * h * b));
+            (q, u) = (q + h * (u + h * (a + b + c) / 6.0), u + h * (a + 2.0 * (b + c) + d) / 6.0);
+            deepest = deepest.max(length * q.sin());
+        }
+        assert!((found.max_penetration / deepest - 1.0).abs() < 1e-6, "{pull}: {deepest}");
+        let plain = compliant_impact(&pose, &contact, motion, law, &[], &conditions).unwrap();
+        let is_same = (plain.peak_force / found.peak_force - 1.0).abs() < 1e-9;
+        assert_eq!(is_same, pull == 0.0, "{pull}: {} {}", plain.peak_force, found.peak_force);
+    }
 }

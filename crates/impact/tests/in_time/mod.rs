@@ -1,5 +1,6 @@
 //! Impact in time: closed forms, one freedom by its own equation, conserved energy, orders of convergence.
 
+mod bearings;
 mod compliant;
 mod forces;
 mod two_freedoms;

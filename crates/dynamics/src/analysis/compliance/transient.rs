@@ -212,7 +212,7 @@ impl ElasticSystem {
         t.columns_mut(r + q, s).copy_from(&massless.null);
         let sum = |part: usize| {
             let mut sum = DMatrix::zeros(r + q + s, r + q + s);
-            for (row, factors) in all.iter().filter(|(_, factors)| factors[part] > 0.0) {
+            for (row, factors) in all.iter().filter(|(_, factors)| factors[part] != 0.0) {
                 let row = t.tr_mul(*row);
                 sum.ger(factors[part], &row, &row, 1.0);
             }

@@ -8,9 +8,10 @@ use crate::motion::joint_rates::JointRates;
 use crate::time::conditions::TimeConditions;
 use nalgebra::DVector;
 use percuss_dynamics::{
-    ElasticDirection, ElasticInput, ElasticMotion, ElasticSystem, JointForce, LinearElement, LocatedContact,
-    Pose,
+    ElasticDirection, ElasticInput, ElasticMotion, ElasticSystem, JointForce, LinearElement, Load,
+    LocatedContact, Pose,
 };
+use percuss_mechanism::JointId;
 use std::f64::consts::PI;
 
 /// Angle of the highest natural mode in a step: the samples are half as far apart.
@@ -154,7 +155,8 @@ pub struct CompliantImpact {
     pub samples: Vec<CompliantSample>,
 }
 
-/// Impact in time with elastic bushes and gears, linear about the touch: small displacements, no geometric stiffness.
+/// Impact in time with elastic bushes and gears, linear about the touch: small displacements, no geometric stiffness (with it:
+/// [`compliant_impact_with_forces`]).
 ///
 /// ```text
 /// M z̈ + C ż + K z = −jᵀF(δ, δ̇) + other forces,   ż(0): the motion of the rigid mechanism before the impact
@@ -174,10 +176,56 @@ pub fn compliant_impact(
     gears: &[LinearElement],
     conditions: &TimeConditions,
 ) -> Result<CompliantImpact, ImpactError> {
-    let (linear, forces): (Vec<LinearElement>, Vec<ElementForce>) =
+    impact_of_elements(pose, contact, (closing_speed, before), law, gears, conditions, None)
+}
+
+/// Forces at the touch that are in balance, and whose change of direction acts as the geometric stiffness G.
+#[derive(Clone, Debug, Default, PartialEq)]
+pub struct ForcesAtTouch {
+    /// Force of each element of the conditions along its motion, N or N·m: lines, joints, then supports. A compressed spring has a positive force.
+    pub elements: Vec<f64>,
+    /// Loads, such as vertical forces on the wheels.
+    pub loads: Vec<Load>,
+    /// Joints with one velocity whose drives carry the rest, such as a steering rack.
+    pub held: Vec<JointId>,
+}
+
+/// Same as [`compliant_impact`], with the geometric stiffness of forces at the touch:
+/// [`ElasticSystem::with_geometric_stiffness`]. The result is without forces of ideal joints.
+///
+/// # Errors
+/// Those of [`compliant_impact`]; forces that are not in balance; an unstable equilibrium.
+pub fn compliant_impact_with_forces(
+    pose: &Pose,
+    contact: &LocatedContact,
+    motion: (f64, &JointRates),
+    law: CompliantLaw<'_>,
+    gears: &[LinearElement],
+    conditions: &TimeConditions,
+    forces: &ForcesAtTouch,
+) -> Result<CompliantImpact, ImpactError> {
+    impact_of_elements(pose, contact, motion, law, gears, conditions, Some(forces))
+}
+
+/// Impact with springs, dampers, drives, supports and gears. `at_touch`: forces with geometric stiffness.
+fn impact_of_elements(
+    pose: &Pose,
+    contact: &LocatedContact,
+    (closing_speed, before): (f64, &JointRates),
+    law: CompliantLaw<'_>,
+    gears: &[LinearElement],
+    conditions: &TimeConditions,
+    at_touch: Option<&ForcesAtTouch>,
+) -> Result<CompliantImpact, ImpactError> {
+    let (mut linear, forces): (Vec<LinearElement>, Vec<ElementForce>) =
         elements(pose, conditions)?.into_iter().unzip();
+    let of_elements = at_touch.iter().flat_map(|at_touch| &at_touch.elements);
+    linear.iter_mut().zip(of_elements).for_each(|(element, force)| element.force = *force);
     let all: Vec<LinearElement> = linear.into_iter().chain(gears.iter().cloned()).collect();
-    let system = ElasticSystem::new(pose, contact, &all, conditions.other_mass)?;
+    let mut system = ElasticSystem::new(pose, contact, &all, conditions.other_mass)?;
+    if let Some(at_touch) = at_touch {
+        system = system.with_geometric_stiffness(&at_touch.loads, &at_touch.held)?;
+    }
     let masses = system.residual()?;
     let mass = masses.rigid.kilograms().or(masses.free.kilograms()).ok_or(ImpactError::MasslessContact)?;
     let start = system.rigid_velocities(pose, &before.coordinates(pose), closing_speed);
@@ -190,7 +238,7 @@ pub fn compliant_impact(
         gravity: pose.base().inverse_vector(&conditions.gravity),
         scales: Scales { frequency, mass, speed: closing_speed },
         ends_without_force: conditions.ends_without_force,
-        has_joints: true,
+        has_joints: at_touch.is_none(),
     };
     let found = problem.solve(&start, false)?;
     // A support that leaves the ground is not linear.

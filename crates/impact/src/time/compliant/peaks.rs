@@ -5,9 +5,12 @@ use crate::time::history::peak_over_time;
 use nalgebra::DVector;
 use percuss_dynamics::{ElasticDirection, ElasticMotion, JointForce};
 
-/// Levels of halving between the samples near a peak, twice: the parabola through three of them then has ten digits.
+/// Levels of halving between the samples near a peak, once per refinement.
 const FINER: usize = 4;
-const REFINEMENTS: usize = 2;
+/// Largest number of refinements: each is sixteen times as fine, so that the parabola across a corner of a force has nine digits.
+const MOST_REFINEMENTS: usize = 6;
+/// Relative change of a peak by a refinement at which the refinements end.
+const REFINED: f64 = 1e-11;
 /// Part of the largest estimate from which another maximum is refined too: the estimates have four digits.
 const NEAR_LARGEST: f64 = 0.999;
 /// Largest number of refined maxima of one force.
@@ -161,7 +164,8 @@ pub(super) fn peak(
         let mut level = trace.levels[k].max(trace.levels[k + 1]);
         let mut start = (trace.times[k - 1], trace.states[k - 1].clone());
         let mut end = trace.times[k + 1];
-        for _ in 0..REFINEMENTS {
+        let mut peak = (0.0, 0.0);
+        for _ in 0..MOST_REFINEMENTS {
             level += FINER;
             let part = flow.step_of(level);
             let (mut times, mut fine, mut states) = (Vec::new(), Vec::new(), Vec::new());
@@ -175,12 +179,17 @@ pub(super) fn peak(
                 let later = (at.0 + part, next);
                 states.push(std::mem::replace(&mut at, later));
             }
-            if let Some(found) = peak_over_time(&times, &fine).filter(|found| found.0 > best.0) {
-                best = found;
+            let before = peak;
+            peak = peak_over_time(&times, &fine).unwrap_or(before);
+            if (peak.0 - before.0).abs() <= REFINED * peak.0 {
+                break;
             }
             let most = (0..fine.len()).max_by(|&a, &b| fine[a].total_cmp(&fine[b])).unwrap_or(0);
             end = times[(most + 1).min(times.len() - 1)];
             start = states.swap_remove(most.saturating_sub(1));
+        }
+        if peak.0 > best.0 {
+            best = peak;
         }
     }
     best
