@@ -360,7 +360,7 @@ typedef struct percuss_joint {
 } percuss_joint;
 
 /*
- Finding about a file.
+ Finding about a file or a pose.
  */
 typedef struct percuss_diagnostic {
   /*
@@ -376,7 +376,7 @@ typedef struct percuss_diagnostic {
    */
   uint32_t column;
   /*
-   Stable short name, for programs. The texts are valid as long as the model.
+   Stable short name, for programs. The texts are valid as long as the model or the pose.
    */
   const char *code;
   /*
@@ -1788,6 +1788,26 @@ PERCUSS_NODISCARD percuss_status percuss_pose_follow(const struct percuss_pose *
 percuss_status percuss_pose_free(struct percuss_pose **pose);
 
 /*
+ Number of notes and warnings of percuss_pose_touch about the path to the touch, the pose and the contact, as in the report of percuss_ask
+ with "contact": {"at": STOP}; 0 for a pose of another call.
+
+ Pointers:
+ count is null or points to storage for a number.
+ */
+PERCUSS_NODISCARD percuss_status percuss_pose_diagnostic_count(const struct percuss_pose *pose,
+                                             size_t *count);
+
+/*
+ Note or warning number index of a pose, from 0. Its texts are valid as long as the pose; its path is empty.
+
+ Pointers:
+ diagnostic is null or points to storage for a percuss_diagnostic.
+ */
+PERCUSS_NODISCARD percuss_status percuss_pose_diagnostic(const struct percuss_pose *pose,
+                                       size_t index,
+                                       struct percuss_diagnostic *diagnostic);
+
+/*
  The positions of all joints, concatenated in joint order, mimics included: count is the positions of
  percuss_model_counts.
 
@@ -1870,8 +1890,8 @@ PERCUSS_NODISCARD percuss_status percuss_pose_contact_row(const struct percuss_p
  The pose at which a stop touches, and its contact, as the command `percuss mass --at STOP`. stop: the name of a contact of the model,
  or the stop of a joint, JOINT:lower or JOINT:upper. The mechanism moves from the pose of the configuration until the gap is closed; joints
  that are set keep their positions, and if no other joint moves the stop, the gap stays open (PERCUSS_REMARK_OPEN_GAP). Free the
- pose with percuss_pose_free. Findings about the path to the touch, such as a stop that touches while the wheel moves the wrong way, are in the
- diagnostics of the report of percuss_ask with "contact": {"at": STOP}.
+ pose with percuss_pose_free. Findings about the path to the touch, such as a stop that touches while the wheel moves the wrong way, about the
+ pose and about the contact: percuss_pose_diagnostic.
 
  Errors: PERCUSS_ERROR_NAME: an unknown stop. PERCUSS_ERROR_ASSEMBLY: a stop that is out of reach, with the smallest gap; loops that do not close.
 

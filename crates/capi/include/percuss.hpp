@@ -506,6 +506,14 @@ class Pose {
     check(percuss_pose_positions(get(), all.data(), all.size()));
     return all;
   }
+  /// Notes and warnings of System::touch; their texts are valid as long as the pose.
+  [[nodiscard]] std::vector<percuss_diagnostic> diagnostics() const {
+    std::size_t count = 0;
+    check(percuss_pose_diagnostic_count(get(), &count));
+    std::vector<percuss_diagnostic> all(count);
+    for (std::size_t i = 0; i < count; i++) check(percuss_pose_diagnostic(get(), i, &all[i]));
+    return all;
+  }
   /// The pose at a configuration, followed along the branch of this pose.
   [[nodiscard]] Pose follow(const Configuration &configuration) const {
     percuss_pose *handle = nullptr;

@@ -4,6 +4,7 @@ use crate::boundary::arrays::{copy_to_caller, expect_length, output_slice};
 use crate::boundary::handle::{
     Handle, argument_mut, clear_handle, free_handle, lock_object, object_of, read_argument, write_handle,
 };
+use crate::boundary::names::element_at;
 use crate::boundary::status::{
     Failure, PERCUSS_ERROR_ARGUMENT, PERCUSS_ERROR_ASSEMBLY, PERCUSS_ERROR_CONTACT, PERCUSS_ERROR_LENGTH,
     guard_call, percuss_status,
@@ -11,7 +12,7 @@ use crate::boundary::status::{
 use crate::evaluation::contact::{mass_summary, parse_route, percuss_contact, percuss_mass, percuss_route};
 use crate::evaluation::response::{NamedResponse, percuss_response};
 use crate::setup::configuration::percuss_configuration;
-use crate::setup::model::Model;
+use crate::setup::model::{DiagnosticTexts, Model, percuss_diagnostic};
 use crate::setup::system::{percuss_assembly, percuss_system};
 use percuss::nalgebra::DMatrix;
 use percuss::{AssemblyError, Configuration, ContactResponse, Pose};
@@ -26,6 +27,8 @@ pub struct percuss_pose {
 pub(crate) struct NamedPose {
     pub model: Arc<Model>,
     pub pose: Pose,
+    /// Findings about the path to the touch of a stop.
+    pub diagnostics: Vec<DiagnosticTexts>,
 }
 
 impl Handle for percuss_pose {
@@ -51,7 +54,7 @@ fn write_pose(
     let configuration = lock_object(object_of(configuration)?, "percuss_configuration")?;
     configuration.check_model(model)?;
     let found = find(&configuration.values).map_err(Failure::with_status(PERCUSS_ERROR_ASSEMBLY))?;
-    write_handle(NamedPose { model: Arc::clone(model), pose: found }, pose)
+    write_handle(NamedPose { model: Arc::clone(model), pose: found, diagnostics: Vec::new() }, pose)
 }
 
 /// The pose at a configuration: set joints drive, other joints of the loops follow. The pose belongs to the assembly
@@ -120,6 +123,39 @@ pub unsafe extern "C" fn percuss_pose_follow(
 #[unsafe(no_mangle)]
 pub unsafe extern "C" fn percuss_pose_free(pose: *mut *mut percuss_pose) -> percuss_status {
     guard_call(|| free_handle(pose))
+}
+
+/// Number of notes and warnings of percuss_pose_touch about the path to the touch, the pose and the contact, as in the report of percuss_ask
+/// with "contact": {"at": STOP}; 0 for a pose of another call.
+///
+/// # Safety
+/// count is null or points to storage for a number.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_diagnostic_count(
+    pose: *const percuss_pose,
+    count: *mut usize,
+) -> percuss_status {
+    guard_call(|| {
+        *argument_mut(count, "count")? = object_of(pose)?.diagnostics.len();
+        Ok(())
+    })
+}
+
+/// Note or warning number index of a pose, from 0. Its texts are valid as long as the pose; its path is empty.
+///
+/// # Safety
+/// diagnostic is null or points to storage for a percuss_diagnostic.
+#[unsafe(no_mangle)]
+pub unsafe extern "C" fn percuss_pose_diagnostic(
+    pose: *const percuss_pose,
+    index: usize,
+    diagnostic: *mut percuss_diagnostic,
+) -> percuss_status {
+    guard_call(|| {
+        let texts = element_at(&object_of(pose)?.diagnostics, index, "diagnostic")?;
+        *argument_mut(diagnostic, "diagnostic")? = texts.for_c();
+        Ok(())
+    })
 }
 
 /// The positions of all joints, concatenated in joint order, mimics included: count is the positions of

@@ -113,7 +113,7 @@ pub const PERCUSS_NOTE: i32 = 0;
 /// Probable mistake; the message states the value in use.
 pub const PERCUSS_WARNING: i32 = 1;
 
-/// Finding about a file.
+/// Finding about a file or a pose.
 #[repr(C)]
 #[derive(Clone, Copy)]
 pub struct percuss_diagnostic {
@@ -123,7 +123,7 @@ pub struct percuss_diagnostic {
     pub line: u32,
     /// Column in characters, from 1; 0 if unknown.
     pub column: u32,
-    /// Stable short name, for programs. The texts are valid as long as the model.
+    /// Stable short name, for programs. The texts are valid as long as the model or the pose.
     pub code: *const c_char,
     /// The finding.
     pub message: *const c_char,
@@ -140,6 +140,18 @@ fn severity_number(severity: Severity) -> i32 {
 }
 
 impl DiagnosticTexts {
+    /// Diagnostic whose texts are valid as long as these.
+    pub fn for_c(&self) -> percuss_diagnostic {
+        percuss_diagnostic {
+            severity: self.severity,
+            line: self.line,
+            column: self.column,
+            code: self.code.as_ptr(),
+            message: self.message.as_ptr(),
+            path: self.path.as_ptr(),
+        }
+    }
+
     /// Diagnostic for C; unknown positions are 0.
     fn from_diagnostic(diagnostic: &Diagnostic) -> Self {
         Self {
@@ -557,14 +569,7 @@ pub unsafe extern "C" fn percuss_model_diagnostic(
 ) -> percuss_status {
     guard_call(|| {
         let texts = element_at(&object_of(model)?.diagnostics, index, "diagnostic")?;
-        *argument_mut(diagnostic, "diagnostic")? = percuss_diagnostic {
-            severity: texts.severity,
-            line: texts.line,
-            column: texts.column,
-            code: texts.code.as_ptr(),
-            message: texts.message.as_ptr(),
-            path: texts.path.as_ptr(),
-        };
+        *argument_mut(diagnostic, "diagnostic")? = texts.for_c();
         Ok(())
     })
 }

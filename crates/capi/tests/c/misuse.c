@@ -45,6 +45,7 @@ static void nulls(void)
   FAILS(percuss_model_joint(model, 0, NULL), null, "joint");
   FAILS(percuss_model_diagnostic_count(model, NULL), null, "count");
   FAILS(percuss_model_diagnostic(model, 0, NULL), null, "diagnostic");
+  FAILS(percuss_pose_diagnostic_count(NULL, &count), null, "percuss_pose");
   FAILS(percuss_contact_init(NULL), null, "contact");
   OK(percuss_system_free(&system));
   FAILS(percuss_system_new(NULL, NULL, &system), null, "percuss_model");

@@ -44,6 +44,42 @@ static void positions_of_mujoco(void)
   OK(percuss_model_free(&model));
 }
 
+/* Findings about the path to the touch: none for a short way; the gap that stays open. */
+static void path_to_the_touch(percuss_model *model)
+{
+  percuss_system *system = NULL;
+  const double closed = 0.0;
+  percuss_configuration *configuration = NULL;
+  percuss_pose *pose = NULL;
+  percuss_contact stop;
+  percuss_diagnostic diagnostic;
+  size_t count = 7;
+  OK(percuss_system_new(model, NULL, &system));
+  OK(percuss_configuration_new(model, &configuration));
+  OK(percuss_pose_touch(system, configuration, "door_stop", &pose, &stop));
+  OK(percuss_pose_diagnostic_count(pose, &count));
+  CHECK(count == 0);
+  FAILS(percuss_pose_diagnostic(pose, 0, &diagnostic), PERCUSS_ERROR_NAME, "diagnostic");
+  OK(percuss_pose_free(&pose));
+  /* A door whose position is set stays open: the gap is stated. */
+  OK(percuss_configuration_set(configuration, "hinge", &closed, 1));
+  OK(percuss_pose_touch(system, configuration, "door_stop", &pose, &stop));
+  OK(percuss_pose_diagnostic_count(pose, &count));
+  int is_open = 0;
+  for (size_t i = 0; i < count; i++) {
+    OK(percuss_pose_diagnostic(pose, i, &diagnostic));
+    is_open += strcmp(diagnostic.code, "open-gap") == 0 && strstr(diagnostic.message, "20.0000 mm open") != NULL;
+  }
+  CHECK(is_open == 1);
+  OK(percuss_pose_free(&pose));
+  OK(percuss_pose_new(system, configuration, &pose));
+  OK(percuss_pose_diagnostic_count(pose, &count));
+  CHECK(count == 0);
+  OK(percuss_pose_free(&pose));
+  OK(percuss_configuration_free(&configuration));
+  OK(percuss_system_free(&system));
+}
+
 /* The stop of a door of 1 kg m2, 0.7 m from its hinge: it touches where sin(angle) = 0.02 / 0.7, at any other pose its gap is open. The
    limits of the hinge are -0.5 and 1.5. */
 static void touch_of_a_door(percuss_model *model)
@@ -73,6 +109,7 @@ static void touch_of_a_door(percuss_model *model)
   OK(percuss_pose_effective_mass(pose, &of_joint, PERCUSS_ROUTE_AUTO, &mass));
   CHECK(angle == 1.5 && near_to(mass.effective_mass, 1.0, 1e-14) && mass.remarks == 0);
   OK(percuss_pose_free(&pose));
+  path_to_the_touch(model);
   FAILS(percuss_pose_touch(system, configuration, "doorstop", &pose, &stop), PERCUSS_ERROR_NAME, "door_stop");
   FAILS(percuss_pose_touch(system, configuration, "hinge:uper", &pose, &stop), PERCUSS_ERROR_NAME, "upper");
   FAILS(percuss_pose_touch(system, configuration, "leaf:0,0,0:1,0,0", &pose, &stop), PERCUSS_ERROR_NAME, "no stop");

@@ -5,7 +5,6 @@ pub(crate) mod joined_motion;
 pub(crate) mod joined_travels;
 pub(crate) mod nearest_approach;
 pub(crate) mod point_travel;
-pub(crate) mod pose_at_stop;
 pub(crate) mod pose_solver;
 pub(crate) mod positions;
 pub(crate) mod touch;

@@ -10,5 +10,6 @@ pub(crate) mod exports;
 pub(crate) mod impact;
 pub(crate) mod kinematics;
 pub(crate) mod mass_report;
+pub(crate) mod pose_at_stop;
 pub(crate) mod safe_speed;
 pub(crate) mod tolerance;

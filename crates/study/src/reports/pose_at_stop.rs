@@ -1,6 +1,13 @@
 //! Pose at which a stop touches, for programs that use the library directly.
 
+use crate::evaluation::named_contact::named_contact;
+use crate::evaluation::passed_stops::answer_findings;
+use crate::evaluation::prepared_question::{EvaluatedQuestion, PreparedQuestion};
+use crate::evaluation::stop_not_reached::stop_not_reached;
+use crate::model::loading::Model;
+use crate::model::record::DiagnosticRecord;
 use crate::pose::pose_solver;
+use crate::pose::touch::StopOfJoint;
 use crate::question::errors::question_error::{Fault, StudyError};
 use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::FurtherContact;
@@ -37,16 +44,7 @@ pub fn pose_at_stop(
     stop: &str,
 ) -> Result<(Pose, Contact), StudyError> {
     let mechanism = system.mechanism();
-    let name = |joint| mechanism.joint(joint).name().to_owned();
-    let set = configuration.given().map(|(joint, values)| {
-        let refuse = |source| StudyError::input("pose.set", Fault::Position { joint: name(joint), source });
-        Ok((name(joint), GivenPosition::from_numbers(values).map_err(refuse)?))
-    });
-    let set = set.collect::<Result<Vec<_>, StudyError>>()?;
-    let question = MassQuestion {
-        pose: PoseTable { set, ..PoseTable::default() },
-        ..MassQuestion::default().at_contact(stop)
-    };
+    let question = question_at_stop(system, configuration, stop)?;
     let resolved = question.resolve_contact(mechanism)?;
     let contact = match (question.named_contact(mechanism)?, question.spelled_contact(mechanism)?) {
         (Some(named), _) => Some(Contact::named(named, mechanism.root())),
@@ -69,4 +67,48 @@ pub fn pose_at_stop(
         at_limit.set(joint, &values).map_err(StudyError::about("contact.at"))?;
     }
     Ok((pose_solver::pose(system, &at_limit, &resolved)?, contact))
+}
+
+/// Pose at which a stop touches, its contact, and the findings of the report for `--at STOP`: about the path to the touch, such as a wheel that moves
+/// the wrong way, about the pose and about the contact. `model`: that of the system.
+///
+/// # Errors
+/// As [`pose_at_stop`].
+pub fn pose_at_stop_with_findings(
+    model: &Model,
+    system: &System,
+    configuration: &Configuration,
+    stop: &str,
+) -> Result<(Pose, Contact, Vec<DiagnosticRecord>), StudyError> {
+    let (pose, contact) = pose_at_stop(system, configuration, stop)?;
+    let question = question_at_stop(system, configuration, stop)?;
+    let mut prepared = PreparedQuestion::new(model, &question)?;
+    (prepared.system, prepared.configuration) = (system.clone(), configuration.clone());
+    let mut result = prepared.evaluate(&pose, &contact)?;
+    let of_joint = StopOfJoint::of_question(system.mechanism(), &prepared.question)?;
+    let not_reached = of_joint.and_then(|stop| stop_not_reached(&pose, &stop, question.names));
+    result.findings.extend(not_reached);
+    let evaluated = EvaluatedQuestion { prepared, pose, contact, result };
+    let named = named_contact(&evaluated)?;
+    let findings = answer_findings(&evaluated, named.as_ref());
+    Ok((evaluated.pose, contact, findings.into_iter().map(DiagnosticRecord::from).collect()))
+}
+
+/// Question about a stop at the set positions of a configuration.
+fn question_at_stop(
+    system: &System,
+    configuration: &Configuration,
+    stop: &str,
+) -> Result<MassQuestion, StudyError> {
+    let mechanism = system.mechanism();
+    let name = |joint| mechanism.joint(joint).name().to_owned();
+    let set = configuration.given().map(|(joint, values)| {
+        let refuse = |source| StudyError::input("pose.set", Fault::Position { joint: name(joint), source });
+        Ok((name(joint), GivenPosition::from_numbers(values).map_err(refuse)?))
+    });
+    let set = set.collect::<Result<Vec<_>, StudyError>>()?;
+    Ok(MassQuestion {
+        pose: PoseTable { set, ..PoseTable::default() },
+        ..MassQuestion::default().at_contact(stop)
+    })
 }
