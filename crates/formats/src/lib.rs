@@ -50,7 +50,9 @@ pub use hull::inertias_beyond_meshes;
 pub use load::{foreign_format, load, load_file};
 pub use meshes::files::{DEFAULT_MAX_MESH_SIZE, MeshError, MeshFolders, Triangles, read_mesh};
 pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
-pub use mjcf::write::{ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, write_mjcf, write_mjcf_impact};
+pub use mjcf::write::{
+    ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, balance_inertia, write_mjcf, write_mjcf_impact,
+};
 pub use qpos::{QposError, QposLayout};
 pub use reading::diagnostic::{Diagnostic, LoadError};
 pub use reading::files::{FileKind, FileStore, FileSystem, MemoryFiles, OpenFile, SharedFiles};

@@ -78,8 +78,8 @@ pub use percuss_formats::{
     FileStore, FileSystem, FindMesh, ImpactContact, ImpactSurfaces, LoadError, LoadOptions, Loaded,
     MechanismState, MemoryFiles, MeshError, MeshFile, MeshFolders, MjcfError, MjcfImpact, ModelParts,
     ModelText, NOT_READ, NamedPose, OpenFile, Orientation, Purpose, QposError, QposLayout, SdfError, Shape,
-    SharedFiles, Solid, Source, Surface, SurfaceError, Triangles, inertia_of_shapes, load, load_file,
-    lost_pose, read_mesh, write_mjcf, write_mjcf_impact, write_sdf, write_urdf, write_urdf_model,
+    SharedFiles, Solid, Source, Surface, SurfaceError, Triangles, balance_inertia, inertia_of_shapes, load,
+    load_file, lost_pose, read_mesh, write_mjcf, write_mjcf_impact, write_sdf, write_urdf, write_urdf_model,
     write_urdf_with,
 };
 pub use percuss_impact as impact;

@@ -309,3 +309,6 @@ pub const SAME_FRICTION: f64 = 1e-6;
 /// Relative difference of the limit of soft contacts from the rigid mass above which the residual stiffness judges nothing: the finest statement of
 /// the verdict is 1 %.
 pub(crate) const SAME_MASS: f64 = 1e-2;
+
+/// Eigenvalue of a mass matrix, or square of that of constraint rows, relative to the largest, up to which it is rounding.
+pub const MASSLESS_PART: f64 = 1e-12;

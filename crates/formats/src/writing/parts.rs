@@ -28,13 +28,11 @@ pub struct ModelParts<'a> {
     pub find_mesh: FindMesh<'a>,
     /// Named poses as states. Only the writer of MJCF writes poses; the others report these as lost.
     pub poses: &'a [(String, MechanismState)],
-    /// True to write the nearest possible moments of a body with A + B < C; only the writer of MJCF refuses such a body otherwise.
-    pub balances_inertia: bool,
 }
 
 impl<'a> From<&'a Mechanism> for ModelParts<'a> {
     fn from(mechanism: &'a Mechanism) -> Self {
-        Self { mechanism, shapes: &[], find_mesh: &keep_name, poses: &[], balances_inertia: false }
+        Self { mechanism, shapes: &[], find_mesh: &keep_name, poses: &[] }
     }
 }
 

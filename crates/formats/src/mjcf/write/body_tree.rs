@@ -1,7 +1,7 @@
 //! Links and joints as nested bodies.
 
 use super::error::MjcfError;
-use super::moments::{LEAST_INERTIA, balance_moments, check_moments, raise_moments};
+use super::moments::{LEAST_INERTIA, check_moments, raise_moments, round_moments};
 use super::rotors::{Rotor, rotor_inertial};
 use crate::writing::changes::Change;
 use crate::writing::structure::{drawn_poses, held_links, immovable_links, is_massless};
@@ -66,11 +66,11 @@ pub(super) enum Coordinates {
 }
 
 impl<'m> BodyTree<'m> {
-    /// Finds the bodies. `balances`: moments with A + B < C are replaced by the nearest ones with A + B = C.
+    /// Finds the bodies.
     ///
     /// # Errors
     /// [`MjcfError`] for links that MuJoCo refuses.
-    pub fn new(mechanism: &'m Mechanism, balances: bool) -> Result<Self, MjcfError> {
+    pub fn new(mechanism: &'m Mechanism) -> Result<Self, MjcfError> {
         let count = mechanism.links().len();
         let root = mechanism.root();
         let world_poses = drawn_poses(mechanism);
@@ -136,7 +136,7 @@ impl<'m> BodyTree<'m> {
                 continue;
             }
             if let Some(inertial) = tree.inertials[link.index()].as_mut() {
-                tree.changes.extend(balance_moments(inertial, name, balances));
+                round_moments(inertial, name);
             }
             let inertial = tree.inertials[link.index()].as_ref();
             let refused =

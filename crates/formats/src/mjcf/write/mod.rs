@@ -20,6 +20,7 @@ pub use error::MjcfError;
 use forms::form_changes;
 pub use impact::{ImpactContact, ImpactSurfaces, MjcfImpact};
 use keyframe::Keyframe;
+pub use moments::balance_inertia;
 
 /// Writes MJCF for MuJoCo 3.2.3 and later, 3.3 and later with meshes: bodies with inertias, joints with limits and armatures, and all loops as equality
 /// constraints. `heading`: comment at the head of the file, none if empty. Lengths in m, angles in rad; numbers are the shortest decimals
@@ -39,8 +40,8 @@ use keyframe::Keyframe;
 /// | named poses | keyframes |
 ///
 /// Each half has half of the mass and inertia, so that the mechanism is the same. Moments of 0 (thin rods, point masses) become 1e-13 of
-/// m·(size of the mechanism)², which is reported as a change: MuJoCo refuses 0. An excess C − A − B of the moments up to 1e-10 of C is removed; a larger one with
-/// [`ModelParts::balances_inertia`].
+/// m·(size of the mechanism)², which is reported as a change: MuJoCo refuses 0. An excess C − A − B of the moments up to 1e-10 of C is removed; a larger one by
+/// [`balance_inertia`].
 ///
 /// # Errors
 /// [`MjcfError`] for a massless link that moves and has none of these forms, for a moving body with moments A + B < C (MuJoCo
@@ -70,7 +71,7 @@ fn write_file(
     heading: &str,
 ) -> Result<ModelText, MjcfError> {
     let mechanism = parts.mechanism;
-    let mut tree = BodyTree::new(mechanism, parts.balances_inertia)?;
+    let mut tree = BodyTree::new(mechanism)?;
     let forms = form_changes(&tree);
     tree.changes.extend(forms);
     closures::write_closures(&mut tree)?;

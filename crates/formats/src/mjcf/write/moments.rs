@@ -2,7 +2,7 @@
 
 use super::error::MjcfError;
 use crate::writing::changes::Change;
-use percuss_mechanism::Inertial;
+use percuss_mechanism::{Inertial, LinkDescription, Mechanism};
 use percuss_spatial::Vector3;
 
 /// Least moment of a moving body, kg·m², and least mass, kg, that MuJoCo accepts (mjMINVAL).
@@ -34,7 +34,7 @@ pub(super) fn check_moments(inertial: Option<&Inertial>, name: &str) -> Result<(
     if triangle_excess(&moments).is_some() {
         let reason = format!(
             "MuJoCo refuses moments with A + B < C, which no body has ({:.6e}, {:.6e}, {:.6e} kg·m²); correct the inertia, or write the \
-             nearest possible one (percuss convert --balance-inertia)",
+             nearest possible one (--balance-inertia)",
             moments[0], moments[1], moments[2]
         );
         return Err(MjcfError::new("link", name, reason));
@@ -42,12 +42,31 @@ pub(super) fn check_moments(inertial: Option<&Inertial>, name: &str) -> Result<(
     Ok(())
 }
 
-/// Replaces moments A + B < C by the nearest ones with A + B = C, which differ by a third of the excess. Without `balances`, only an excess
-/// by rounding in the file is removed. Returns the change.
-pub(super) fn balance_moments(inertial: &mut Inertial, name: &str, balances: bool) -> Option<Change> {
+/// Removes an excess C − A − B of the moments that is rounding of the file.
+pub(super) fn round_moments(inertial: &mut Inertial, name: &str) {
+    if triangle_excess(&inertial.about_com.symmetric_eigenvalues()).is_some_and(|e| e <= ROUNDED_EXCESS) {
+        balance_moments(inertial, name);
+    }
+}
+
+/// Mechanism in which the moments of each link with A + B < C, which no body has, are the nearest ones with A + B = C; and the changes. `None` if no
+/// link has such moments.
+pub fn balance_inertia(mechanism: &Mechanism) -> Option<(Mechanism, Vec<Change>)> {
+    let mut changes = Vec::new();
+    let builder = mechanism.to_builder().map_links(|mut link: LinkDescription| {
+        let change = link.inertial.as_mut().and_then(|inertial| balance_moments(inertial, &link.name));
+        changes.extend(change);
+        link
+    });
+    let built = builder.build().ok()?;
+    (!changes.is_empty()).then_some((built.mechanism, changes))
+}
+
+/// Replaces moments A + B < C by the nearest ones with A + B = C, which differ by a third of the excess. Returns the change, unless it is a rounding.
+fn balance_moments(inertial: &mut Inertial, name: &str) -> Option<Change> {
     let principal = inertial.about_com.symmetric_eigen();
     let (old, c) = (principal.eigenvalues, principal.eigenvalues.imax());
-    let excess = triangle_excess(&old).filter(|excess| balances || *excess <= ROUNDED_EXCESS)?;
+    let excess = triangle_excess(&old)?;
     // Moments below 0, which another finding reports, would leave an excess.
     let mut new = old.map(|moment| moment.max(0.0));
     let third = (2.0 * new[c] - new.sum()) / 3.0 + BALANCED * new[c];

@@ -212,13 +212,7 @@ impl ConversionQuestion {
     /// [`InvalidKey`]: no format, or balanced inertias for another format than MJCF.
     pub fn checked(&self, folder: &Path) -> Result<Self, InvalidKey> {
         let format = format_of(self.to, self.output.as_deref(), ["convert.output", "convert.to"])?;
-        if self.balance_inertia && format != ModelFormat::Mjcf {
-            let why = format!(
-                "only MJCF refuses moments with A + B < C, and the output is {}; leave it out",
-                format.name()
-            );
-            return Err(InvalidKey::new("convert.balance_inertia", why));
-        }
+        check_balance(self.balance_inertia, format, "convert.balance_inertia")?;
         Ok(Self { to: Some(format), output: path_of(&self.output, folder), ..self.clone() })
     }
 
@@ -227,6 +221,16 @@ impl ConversionQuestion {
         let format = self.to.unwrap_or(ModelFormat::Mjcf);
         (format, self.output.clone().unwrap_or_else(|| format!("model.{}", format.ending())))
     }
+}
+
+/// Refuses balanced inertias for another format than MJCF.
+fn check_balance(is_given: bool, format: ModelFormat, key: &'static str) -> Result<(), InvalidKey> {
+    if is_given && format != ModelFormat::Mjcf {
+        let name = format.name();
+        let why = format!("only MJCF refuses moments with A + B < C, and the output is {name}; leave it out");
+        return Err(InvalidKey::new(key, why));
+    }
+    Ok(())
 }
 
 /// Path relative to a folder, except the standard output.
@@ -245,16 +249,21 @@ pub struct ExportQuestion {
     /// Format; default: from the ending of the file, .xml or .mjcf, .urdf or .sdf. An impact requires MJCF and the ending .xml.
     #[cfg_attr(feature = "flags", arg(long, value_enum, value_name = "FORMAT"))]
     pub to: Option<ModelFormat>,
+    /// MJCF: write the nearest possible moments of inertia of a link with A + B < C, which MuJoCo refuses; the damper is that of these moments.
+    #[cfg_attr(feature = "flags", arg(long))]
+    pub balance_inertia: bool,
 }
 
 impl ExportQuestion {
     /// Question about the mechanism alone.
     ///
     /// # Errors
-    /// [`InvalidKey`]: no format.
+    /// [`InvalidKey`]: no format, or balanced inertias for another format than MJCF.
     pub fn conversion(&self) -> Result<ConversionQuestion, InvalidKey> {
         let format = format_of(self.to, self.output.as_deref(), ["export.output", "export.to"])?;
-        Ok(ConversionQuestion { output: self.output.clone(), to: Some(format), balance_inertia: false })
+        check_balance(self.balance_inertia, format, "export.balance_inertia")?;
+        let balance_inertia = self.balance_inertia;
+        Ok(ConversionQuestion { output: self.output.clone(), to: Some(format), balance_inertia })
     }
 
     /// Question about an impact. The path of the file is relative to `folder`.
@@ -293,7 +302,7 @@ impl ExportQuestion {
             );
             return Err(InvalidKey::new("export.output", why));
         }
-        Ok(Self { to: Some(format), output: path_of(&self.output, folder) })
+        Ok(Self { to: Some(format), output: path_of(&self.output, folder), ..self.clone() })
     }
 
     /// Names of the model and of its script.

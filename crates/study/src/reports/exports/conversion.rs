@@ -3,48 +3,14 @@
 use crate::model::loading::{Input, Model};
 use crate::model::record::DiagnosticRecord;
 use crate::question::tables::exports::{ConversionQuestion, ModelFormat};
+use crate::reports::exports::balanced::balanced;
+use crate::reports::exports::change_record::ChangeRecord;
 use crate::reports::exports::code::TextFile;
 use crate::reports::exports::mesh_names::MeshNames;
 use crate::reports::exports::named_states::named_states;
 use percuss_formats::{Change, Effect, ModelParts, write_mjcf, write_sdf, write_urdf_model};
 use schemars::JsonSchema;
 use serde::Serialize;
-
-/// Part of a model that has another form in the written file, or none.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct ChangeRecord {
-    /// `changed` or `lost`.
-    pub effect: &'static str,
-    /// The part: a link, joint, loop, coupling or contact with its name, or an element of the file as an XML path.
-    pub element: String,
-    /// File of the element; null for a part of the mechanism.
-    pub path: Option<String>,
-    /// Line of the element, from 1.
-    pub line: Option<u32>,
-    /// Form in the written file, or what is lost.
-    pub what: String,
-    /// Reason.
-    pub reason: String,
-}
-
-impl ChangeRecord {
-    /// `file:line: element: what (reason)`, without the effect.
-    pub fn text(&self) -> String {
-        let place = match (&self.path, self.line) {
-            (Some(path), Some(line)) => format!("{path}:{line}: "),
-            (Some(path), None) => format!("{path}: "),
-            (None, _) => String::new(),
-        };
-        format!("{place}{}: {} ({})", self.element, self.what, self.reason)
-    }
-}
-
-impl From<Change> for ChangeRecord {
-    fn from(change: Change) -> Self {
-        let Change { effect, element, what, reason } = change;
-        Self { effect: effect.name(), element, path: None, line: None, what, reason }
-    }
-}
 
 /// Report of `percuss convert`, as JSON.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -72,6 +38,9 @@ pub struct ConversionReport {
     pub contacts: usize,
     /// Everything that changes or is lost.
     pub changes: Vec<ChangeRecord>,
+    /// Least and largest relative change of the effective mass of a contact at the drawn pose by balanced moments of inertia; null without them, and
+    /// without a bound.
+    pub mass_change: Option<[f64; 2]>,
     /// Other findings about the file.
     pub diagnostics: Vec<DiagnosticRecord>,
     /// The model as text; absent if it is written to a file.
@@ -118,6 +87,8 @@ pub struct ConversionError {
 /// # Errors
 /// [`ConversionError`]: a part of the mechanism without a form in the format.
 pub fn convert(model: &Model, asked: &ConversionQuestion) -> Result<ConversionReport, ConversionError> {
+    let balanced = asked.balance_inertia.then(|| balanced(model));
+    let model = balanced.as_ref().map_or(model, |balanced| &balanced.model);
     let (format, output) = asked.file();
     let (poses, lost) = named_states(model);
     let meshes = MeshNames::new(model, &output, format);
@@ -127,7 +98,6 @@ pub fn convert(model: &Model, asked: &ConversionQuestion) -> Result<ConversionRe
         shapes: &model.shapes,
         find_mesh: &find_mesh,
         poses: &poses,
-        balances_inertia: asked.balance_inertia,
     };
     let heading = heading(model);
     let mut written = match format {
@@ -138,7 +108,9 @@ pub fn convert(model: &Model, asked: &ConversionQuestion) -> Result<ConversionRe
         ModelFormat::Urdf => write_urdf_model(parts, &heading),
     };
     written.changes.extend(lost);
-    let (changes, diagnostics) = changes(model, written.changes);
+    let (mut changes, diagnostics) = changes(model, written.changes);
+    let mass_change = balanced.as_ref().and_then(|balanced| balanced.mass_change);
+    changes.extend(balanced.iter().flat_map(|balanced| balanced.changes.iter().cloned()));
     let mechanism = &model.mechanism;
     Ok(ConversionReport {
         schema: "percuss.convert/1",
@@ -153,6 +125,7 @@ pub fn convert(model: &Model, asked: &ConversionQuestion) -> Result<ConversionRe
         couplings: mechanism.couplings().len(),
         contacts: mechanism.contacts().len(),
         changes,
+        mass_change,
         diagnostics,
     })
 }

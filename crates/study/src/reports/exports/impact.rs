@@ -14,6 +14,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::spelled_contact::{JointStop, StopEnd};
 use crate::question::tables::damping::{DampingQuestion, Tools};
 use crate::question::tables::exports::{ExportQuestion, ModelFormat};
+use crate::reports::exports::balanced::balanced;
 use crate::reports::exports::code::TextFile;
 use crate::reports::exports::conversion::{changes, heading};
 use crate::reports::exports::impact_report::ExportReport;
@@ -94,6 +95,8 @@ pub fn export(
     damping: &DampingQuestion,
     asked: &ExportQuestion,
 ) -> Result<ExportReport, ImpactExportError> {
+    let balanced = asked.balance_inertia.then(|| balanced(model));
+    let model = balanced.as_ref().map_or(model, |balanced| &balanced.model);
     let turns = match &damping.limit {
         Some(stop) => stop.motion(model)? == StopMotion::Turn,
         None => question.is_moment(&model.mechanism),
@@ -115,7 +118,8 @@ pub fn export(
             exported
         }
     };
-    let (changes, of_file) = changes(model, exported.model.changes);
+    let (mut changes, of_file) = changes(model, exported.model.changes);
+    changes.extend(balanced.iter().flat_map(|balanced| balanced.changes.iter().cloned()));
     // The findings of the damper begin with those of the file.
     let of_result =
         exported.damping.diagnostics.iter().filter(|finding| !model.diagnostics.contains(finding));
@@ -136,6 +140,7 @@ pub fn export(
         error_bound: exported.error_bound,
         time_step: exported.time_step,
         changes,
+        mass_change: balanced.as_ref().and_then(|balanced| balanced.mass_change),
         diagnostics: of_file.into_iter().chain(of_result.cloned()).collect(),
         files: files.into_iter().zip(texts).map(|(name, text)| TextFile { name, text }).collect(),
     })
@@ -218,7 +223,6 @@ fn exported_impact(
         shapes: &model.shapes,
         find_mesh: &find_mesh,
         poses: &[],
-        balances_inertia: false,
     };
     let mut written = write_mjcf_impact(parts, &impact, &heading(model))?;
     let only_impact = "the only keyframe of the file is the impact";

@@ -3,8 +3,8 @@
 use crate::model::loading::Input;
 use crate::model::record::DiagnosticRecord;
 use crate::question::spelled_contact::StopRecord;
+use crate::reports::exports::change_record::ChangeRecord;
 use crate::reports::exports::code::TextFile;
-use crate::reports::exports::conversion::ChangeRecord;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -41,6 +41,9 @@ pub struct ExportReport {
     pub time_step: f64,
     /// Everything that changes or is lost.
     pub changes: Vec<ChangeRecord>,
+    /// Least and largest relative change of the effective mass of a contact at the drawn pose by balanced moments of inertia; null without them, and
+    /// without a bound. All other keys are those of the balanced moments.
+    pub mass_change: Option<[f64; 2]>,
     /// Findings about the file and the result.
     pub diagnostics: Vec<DiagnosticRecord>,
     /// The model and the script as text; absent if they are written to files.
