@@ -8,6 +8,7 @@ use crate::ranges::extremes_error::{ExtremesError, no_driver, variable_joints};
 use crate::ranges::kept_points::KeptRows;
 use crate::ranges::path::{PathEnd, PathSearch};
 use crate::ranges::quasi_newton::Point;
+use crate::ranges::reflected::driving_joints;
 use crate::ranges::search::{IMMOVABLE, Search, Variable};
 use crate::reactions::bearing::Bearing;
 use nalgebra::Vector3;
@@ -186,6 +187,16 @@ fn prepare<'a>(
         && system.mechanism().joint(joint).kind().dofs() != 1
     {
         return Err(no_driver(start.as_ref(), system, joint));
+    }
+    if let (SearchedQuantity::ReflectedInertia { joint, held: true }, Some(start)) = (quantity, &start) {
+        let mechanism = system.mechanism();
+        let drivers = driving_joints(start);
+        let master = mechanism.joint(joint).mimic().map_or(joint, |mimic| mimic.master);
+        if !drivers.contains(&master) {
+            let name = |joint: JointId| mechanism.joint(joint).name().to_owned();
+            let drivers = drivers.into_iter().map(name).collect();
+            return Err(ExtremesError::NotHeld { joint: name(joint), drivers });
+        }
     }
     // Held contacts constrain the impact, not the pose: the pose moves along motions outside ker A, and the closed form does not apply.
     let has_holds = start.iter().flat_map(|start| start.constraint_groups()).any(|group| {

@@ -83,6 +83,18 @@ pub enum ExtremesError {
         /// Joints with one velocity that drive at the pose.
         drivers: Vec<String>,
     },
+    /// A joint whose inertia with the other drivers at rest is searched does not drive.
+    #[error(
+        "joint \"{joint}\" does not drive, so that it has no inertia with the other drivers at rest (held); driving joints: {}. Set its position, by which \
+         a joint of a loop drives, or search its inertia with free drivers (reflected:{joint})",
+        if drivers.is_empty() { "none".to_owned() } else { drivers.join(", ") }
+    )]
+    NotHeld {
+        /// The joint.
+        joint: String,
+        /// Joints that drive at the pose.
+        drivers: Vec<String>,
+    },
     /// No start has a pose with a finite value.
     #[error("no start of the search has a pose with a finite value")]
     NoStart,
