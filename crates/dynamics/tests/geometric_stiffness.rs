@@ -124,6 +124,22 @@ fn a_drive_carries_what_no_bush_carries() {
     let at = || system(&pose, "lamp", [0.0, 0.0, 0.3], &[]);
     let refused = at().with_geometric_stiffness(std::slice::from_ref(&pull), &[]);
     assert!(matches!(refused, Err(ComplianceError::Unbalanced)));
-    let held = at().with_geometric_stiffness(&[pull], &[rail]).expect("held by the drive");
-    assert!(held.modes().expect("stable").len() == at().modes().expect("stable").len());
+    let held =
+        at().with_geometric_stiffness(std::slice::from_ref(&pull), &[rail]).expect("held by the drive");
+    // The drive carries the pull along the rail: a load of the cart with a constant direction.
+    let cart = pose.mechanism().find_link("cart").expect("the cart");
+    let drive = Load::force(cart, Vector3::zeros(), Vector3::new(-20.0, 0.0, 0.0));
+    let loaded = at().with_geometric_stiffness(&[pull, drive], &[]).expect("in balance");
+    let frequencies = |system: ElasticSystem| -> Vec<f64> {
+        system.modes().expect("stable").iter().map(|mode| mode.angular_frequency).collect()
+    };
+    let (held, loaded, alone) = (frequencies(held), frequencies(loaded), frequencies(at()));
+    assert!(held.len() == loaded.len() && held.len() == alone.len(), "{held:?} {loaded:?} {alone:?}");
+    let largest = held.iter().copied().fold(0.0, f64::max);
+    for (own, expected) in held.iter().zip(&loaded) {
+        // Frequencies of 0 are roots of rounding.
+        assert!((own - expected).abs() < 1e-7 * largest, "{own} {expected}");
+    }
+    let differs = held.iter().zip(&alone).any(|(own, alone)| (own / alone - 1.0).abs() > 1e-3);
+    assert!(differs, "the forces change the frequencies: {held:?} {alone:?}");
 }

@@ -122,11 +122,11 @@ impl Check {
         if let Some(mimic) = &joint.mimic {
             self.is_valid(&subject, "mimic", [&mimic.multiplier, &mimic.offset]);
         }
-        self.elasticity(&subject, joint);
+        self.check_elastic_parts(&subject, joint);
     }
 
     /// Checks the spring and the gear of a joint.
-    fn elasticity(&mut self, subject: &Subject, joint: &JointDescription) {
+    fn check_elastic_parts(&mut self, subject: &Subject, joint: &JointDescription) {
         let spring = joint.spring.unwrap_or_default();
         let gear = joint.gear.unwrap_or(ElasticGear { stiffness: 1.0, damping: 0.0 });
         let numbers = [spring.stiffness, spring.damping, spring.reference, gear.stiffness, gear.damping];

@@ -45,19 +45,22 @@ pub(crate) fn collect_pose_findings(system: &System, pose: &Pose, names: Names) 
     found
 }
 
-/// Findings about the conditions of a question: gears that are rigid, joints that turn more than once.
-pub(crate) fn condition_findings(mechanism: &Mechanism, question: &MassQuestion) -> Vec<Finding> {
+/// Findings about the conditions of a question: gears of joints that move and are rigid, springs that are left out, joints that turn more than once.
+pub(crate) fn condition_findings(system: &System, question: &MassQuestion) -> Vec<Finding> {
     let mut found = Vec::new();
-    if !question.conditions.gear_stiffness.is_empty()
-        || mechanism.joints().iter().any(|joint| joint.gear().is_some())
-    {
+    let mechanism = system.mechanism();
+    let moves = |id: &JointId| !system.is_locked(*id);
+    let given = question.conditions.gear_stiffness.iter();
+    let given = given.filter_map(|(name, _)| mechanism.find_joint(name).ok());
+    let of_model = mechanism.joint_ids().filter(|id| mechanism.joint(*id).gear().is_some());
+    if given.chain(of_model).any(|id| moves(&id)) {
         let message = "the gears are rigid in this result; percuss mass states the effect of their stiffness, percuss response the \
                        vibrations";
         found.push(Finding::about_result(FindingKind::GearsRigid, message.to_owned()));
     }
     let has_spring =
         |id: &JointId| mechanism.joint(*id).spring().is_some_and(|spring| spring.stiffness > 0.0);
-    let sprung: Vec<JointId> = mechanism.joint_ids().filter(has_spring).collect();
+    let sprung: Vec<JointId> = mechanism.joint_ids().filter(has_spring).filter(moves).collect();
     if !sprung.is_empty() {
         let message = format!(
             "springs of joints ({}) are left out of this result; percuss response and an impact in time include them",

@@ -252,7 +252,7 @@ impl<'a> PreparedQuestion<'a> {
     /// Findings about a pose and the conditions, without those of a contact.
     pub fn pose_findings(&self, pose: &Pose) -> Vec<Finding> {
         let mut found = collect_pose_findings(&self.system, pose, self.question.names);
-        found.extend(condition_findings(self.system.mechanism(), &self.question));
+        found.extend(condition_findings(&self.system, &self.question));
         found.extend(self.guess_findings(pose));
         found
     }
@@ -282,7 +282,7 @@ impl<'a> PreparedQuestion<'a> {
         let (system, names) = (&self.system, self.question.names);
         let response = pose.respond(contact)?;
         let mut findings = collect_pose_findings(system, pose, names);
-        findings.extend(condition_findings(system.mechanism(), &self.question));
+        findings.extend(condition_findings(system, &self.question));
         findings.extend(self.findings_of_response(pose, contact, &response)?);
         let limits =
             if response.singular_pose { pose.branch_limits(contact) } else { BranchLimits::default() };

@@ -8,7 +8,7 @@ use crate::thresholds::{EXAMINED_CONTACTS, PLAIN_CONTACT_ERROR};
 use percuss_dynamics::{Contact, ContactStatus, Pose};
 
 /// Findings about a motion without mass or about the rank: all contacts of a pose share them.
-const OF_POSE: [FindingKind; 4] = [
+pub(crate) const OF_POSE: [FindingKind; 4] = [
     FindingKind::IndefiniteMassMatrix,
     FindingKind::MasslessMotions,
     FindingKind::UnclearRankHere,

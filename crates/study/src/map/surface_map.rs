@@ -3,7 +3,7 @@
 use crate::checks::findings::{point_mass_base_finding, singular_map_finding};
 use crate::evaluation::passed_stops::passed_stop_findings;
 use crate::evaluation::prepared_question::PreparedQuestion;
-use crate::map::contact_findings::{MapResults, map_contact_findings};
+use crate::map::contact_findings::{MapResults, OF_POSE, map_contact_findings};
 use crate::map::map_report::{
     Extreme, LinkMap, MapAnswer, MapReport, OmittedLink, OrientationRecord, SkinFacets,
 };
@@ -209,10 +209,12 @@ impl MapContext<'_> {
             let Facet { point, normal, .. } = &skin.facets[i];
             Contact { against: self.prepared.other_link(), ..Contact::new(link, *point, *normal) }
         };
-        let word = "contact of the map";
-        let results = MapResults { statuses: &skin.statuses, errors: &skin.errors, contact: at, word };
+        let (statuses, errors) = (&skin.statuses, &skin.errors);
+        let results = MapResults { statuses, errors, contact: at, word: "contact of the map" };
         let mut found = map_contact_findings(self.prepared, self.pose, &results);
-        for finding in found.iter_mut().filter(|finding| finding.message.contains(word)) {
+        let is_of_pose =
+            |finding: &&mut DiagnosticRecord| OF_POSE.iter().any(|kind| kind.code() == finding.code);
+        for finding in found.iter_mut().filter(|finding| !is_of_pose(finding)) {
             finding.message = format!("link \"{}\": {}", skin.link, finding.message);
         }
         found

@@ -172,7 +172,7 @@ pub fn reflected_inertias(
     let found = of_drivers.into_iter().chain(found);
     let of_pose = collect_pose_findings(&system, &pose, question.names)
         .into_iter()
-        .chain(condition_findings(&model.mechanism, question))
+        .chain(condition_findings(&system, question))
         .chain(guess_findings(&system, &pose, &configuration, &question.pose.guess, question.names))
         .chain(point_mass_base_finding(&system))
         .chain(found);
