@@ -38,6 +38,6 @@ pub use solutions::{hunt_crossley, kelvin_voigt};
 pub use stepping::VaryingMassImpact;
 pub use transient_contact::{BodyRegion, SafeSpeed, TransientContact, standard_robot_mass};
 pub use varying_mass::{
-    history_with_varying_mass, impact_with_varying_mass, restitution_beside_forces,
+    history_with_varying_mass, impact_with_varying_mass, restitution_with_parallel_forces,
     restitution_with_prescribed_acceleration,
 };

@@ -51,7 +51,7 @@ pub fn history_with_varying_mass(
 ///
 /// # Errors
 /// As for [`Damper::impact`].
-pub fn restitution_beside_forces(
+pub fn restitution_with_parallel_forces(
     damper: Damper,
     contact: CompliantContact,
     speed: f64,

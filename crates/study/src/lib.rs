@@ -54,7 +54,6 @@ pub use model::loading::{Input, Model, Origin, SheetPoint};
 pub use model::record::DiagnosticRecord;
 pub use model::sheet::Sheet;
 pub use percuss_units::{Dimension, Quantity, QuantityError, Unit, parse_list, parse_triple};
-pub use pose::pose_at_stop::pose_at_stop;
 pub use pose::positions::{JointDisplacement, PoseLayout, Positions};
 pub use question::errors::question_error::{Fault, StudyError};
 pub use question::errors::refusal::InvalidKey;
@@ -107,8 +106,9 @@ pub use reports::drawing::scene::{
 pub use reports::explain::{
     Explanation, LinkSensitivity, MassChange, PointChange, PointSensitivity, RotorSensitivity, explain,
 };
+pub use reports::exports::change_record::ChangeRecord;
 pub use reports::exports::code::{CodeError, CodeReport, TextFile, generate_code};
-pub use reports::exports::conversion::{ChangeRecord, ConversionError, ConversionReport, convert};
+pub use reports::exports::conversion::{ConversionError, ConversionReport, convert};
 pub use reports::exports::impact::{ImpactExportError, export};
 pub use reports::exports::impact_report::ExportReport;
 pub use reports::impact::additions::{GreatestSpeedRecord, PercussionRecord};
@@ -124,7 +124,8 @@ pub use reports::impact::in_time::compliant::{
     CompliantEnergyRecord, CompliantImpactRecord, ContactEndName, ElementForceRecord, SecondHitRecord,
 };
 pub use reports::impact::in_time::forces::{
-    AntiRollBarRecord, DriveRecord, JointSpringRecord, PointDamperRecord, PointSpringRecord, TyreRecord,
+    AntiRollBarRecord, DirectionChangeRecord, DriveRecord, JointSpringRecord, PointDamperRecord,
+    PointSpringRecord, TyreRecord,
 };
 pub use reports::impact::in_time::{
     BearingForceRecord, EnergyRecord, ImpactTimeRecord, JointMotionRecord, SecondTouchRecord,
@@ -153,6 +154,7 @@ pub use reports::mass_report::{
     BodyShare, ConditionsRecord, ContactRecord, HoldRecord, MassReport, OtherBaseRecord, RotorShare,
     TravelRecord,
 };
+pub use reports::pose_at_stop::{pose_at_stop, pose_at_stop_with_findings};
 pub use reports::safe_speed::{
     AlongRecord, ProvedSpeedRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds,
 };

@@ -351,8 +351,8 @@ class CompliantEnergyRecord(Record):
 
 
 class CompliantImpactRecord(Record):
-    """Impact in time with elastic bushes and gears, linear about the touch: small displacements, no geometric stiffness. Units
-    of a contact along a normal."""
+    """Impact in time with elastic bushes and gears, linear about the touch: small displacements, no geometric stiffness, whose
+    effect "with_geometric_stiffness" states. Units of a contact along a normal."""
 
     restitution: float
     """Separation speed divided by closing speed; 0 without rebound."""
@@ -370,6 +370,9 @@ class CompliantImpactRecord(Record):
     """m_imp = P/(v⁻ + v⁺), kg: mass of a free body with the same impulse between the same speeds."""
     loss_frequency: float
     """Frequency f at which loss factors act as dampers, c = ηk/(2πf), Hz: that of the rigid mechanism on the contact."""
+    with_geometric_stiffness: DirectionChangeRecord | None
+    """Size of an assumption: the same impact with the geometric stiffness of the preloads and springs, which forces on the
+    wheels balance at the touch; None without such forces, or if they are in no balance."""
     second_hit: SecondHitRecord | None
     """Second touch within the duration of the first contact; None if there is none."""
     energy: CompliantEnergyRecord
@@ -467,6 +470,9 @@ class ConversionReport(Record):
     """Number of named contacts."""
     changes: list[ChangeRecord]
     """Everything that changes or is lost."""
+    mass_change: list[float] | None
+    """Least and largest relative change of the effective mass of a contact at the drawn pose by balanced moments of inertia;
+    None without them, and without a bound."""
     diagnostics: list[DiagnosticRecord]
     """Other findings about the file."""
     files: list[TextFile] | None
@@ -619,6 +625,15 @@ class DiagnosticRecord(Record):
     """Element, as an XML path."""
     message: str
     """Message."""
+
+
+class DirectionChangeRecord(Record):
+    """The same impact with the change of direction of the forces at the touch."""
+
+    restitution: float
+    """Restitution."""
+    peak_force: float
+    """Largest force of the contact, N."""
 
 
 class DirectionMass(Record):
@@ -832,6 +847,9 @@ class ExportReport(Record):
     """Time step, s."""
     changes: list[ChangeRecord]
     """Everything that changes or is lost."""
+    mass_change: list[float] | None
+    """Least and largest relative change of the effective mass of a contact at the drawn pose by balanced moments of inertia;
+    None without them, and without a bound. All other keys are those of the balanced moments."""
     diagnostics: list[DiagnosticRecord]
     """Findings about the file and the result."""
     files: list[TextFile] | None
@@ -1266,6 +1284,10 @@ class ImpactTimeRecord(Record):
     largest penetration and the closing speed v. It is no mass of the mechanism; None without drives."""
     springs_left_out: list[str]
     """Springs, dampers, tyres and anti-roll bars of the suspension sheet and springs of joints that are left out."""
+    with_whole_forces: DirectionChangeRecord | None
+    """Size of an assumption: only the change of the forces of the springs since the touch acts; here the same impact with their
+    whole forces, which change their direction, and with constant vertical forces on the wheel centres that balance them at
+    the touch. None if the whole forces act or are unknown."""
     second_touch: SecondTouchRecord | None
     """Second touch of the contact within three of its durations after its end, without the force of the contact in between;
     None if there is none."""

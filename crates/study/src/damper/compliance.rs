@@ -14,7 +14,7 @@ use crate::values::drives::GivenSpring;
 use percuss_dynamics::{
     ComplianceError, ElasticSystem, ElementMotion, LinearElement, Load, ResidualCompliance,
 };
-use percuss_impact::{ContactEnd, compliant_impact_of};
+use percuss_impact::{ContactEnd, ForcesAtTouch, compliant_impact_of};
 use percuss_mechanism::{Bush, JointId, SpringDamper};
 use percuss_spatial::Vector3;
 use percuss_suspension::kinematics::{SuspensionParts, sliding_rack};
@@ -140,15 +140,9 @@ pub(crate) fn elastic_system(
     let elements = linear_elements(evaluated).into_iter().chain(gear_elements(evaluated)?);
     let elements: Vec<LinearElement> = elements.collect();
     let system = elastic_system_with(evaluated, &elements)?;
-    let has_force = |bush: &Bush| bush.description().preload != [0.0; 6];
-    let bushes = evaluated.pose.mechanism().bushes();
-    if !bushes.iter().any(has_force) && elements.iter().all(|element| element.force == 0.0) {
-        return Ok((system, None));
-    }
-    let rack = sliding_rack(evaluated.pose.mechanism());
-    let rack = rack.filter(|rack| !bushes.iter().any(|bush| bush.joints().contains(rack)));
-    let held: Vec<JointId> = rack.into_iter().collect();
-    let loaded = wheel_loads(evaluated).and_then(|loads| {
+    let forces = elements.iter().map(|element| element.force).collect();
+    let Some(forces) = balanced_forces(evaluated, forces) else { return Ok((system, None)) };
+    let loaded = forces.and_then(|ForcesAtTouch { loads, held, .. }| {
         let loaded = system.clone().with_geometric_stiffness(&loads, &held);
         let stable = loaded.and_then(|loaded| loaded.modes().map(|_| loaded));
         stable.map_err(|error| error.to_string())
@@ -160,6 +154,23 @@ pub(crate) fn elastic_system(
             Ok((system, Some(Finding::about_result(FindingKind::NoGeometricStiffness, message))))
         }
     }
+}
+
+/// Forces of elements at the pose with the wheel loads and the drive that balance them and the preloads of bushes, or the reason for their absence;
+/// `None` without forces.
+pub(crate) fn balanced_forces(
+    evaluated: &EvaluatedQuestion,
+    elements: Vec<f64>,
+) -> Option<Result<ForcesAtTouch, String>> {
+    let mechanism = evaluated.pose.mechanism();
+    let bushes = mechanism.bushes();
+    let is_unloaded = |bush: &Bush| bush.description().preload == [0.0; 6];
+    if bushes.iter().all(is_unloaded) && elements.iter().all(|force| *force == 0.0) {
+        return None;
+    }
+    let is_replaced = |rack: &JointId| bushes.iter().any(|bush| bush.joints().contains(rack));
+    let held = sliding_rack(mechanism).filter(|rack| !is_replaced(rack)).into_iter().collect();
+    Some(wheel_loads(evaluated).map(|loads| ForcesAtTouch { elements, loads, held }))
 }
 
 /// Forces on the wheels of a suspension that balance springs and preloads; empty for other models.

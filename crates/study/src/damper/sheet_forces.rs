@@ -11,7 +11,7 @@ use crate::question::mass_question::MassQuestion;
 use crate::question::tables::damping::DampingQuestion;
 use crate::thresholds::SPRING_EFFECT;
 use crate::values::force_curve::GivenCurve;
-use percuss_contact::{CompliantContact, Damper, DamperCurve, restitution_beside_forces};
+use percuss_contact::{CompliantContact, Damper, DamperCurve, restitution_with_parallel_forces};
 use percuss_dynamics::{PointVelocity, Pose};
 use percuss_mechanism::{ContactKind, ContactNormal, JointId, LinkId, SpringDamper};
 use percuss_spatial::Vector3;
@@ -165,22 +165,38 @@ impl SheetTyre<'_> {
         let rise = rise.filter(|rise| *rise > 0.0).ok_or_else(at_rest)?;
         let unknown = || "its force at the touch is unknown: give tyre.load, or spring.preload".to_owned();
         let side = self.name.strip_prefix("wheel_centre").unwrap_or_default();
-        let elements = sheet_elements(evaluated.prepared.model);
-        let springs = elements.iter().filter(|element| {
-            matches!(element.force, ElementForce::Spring(_)) && element.name.ends_with(side)
-        });
-        let mut sum = None;
-        for spring in springs {
-            let force = spring.whole_force(evaluated).ok_or_else(unknown)?;
-            let rate = spring.length_rate(evaluated).ok_or_else(unknown)?;
-            sum = Some(sum.unwrap_or(0.0) - force * rate / rise);
-        }
-        sum.map(|force| force.max(0.0)).ok_or_else(unknown)
+        spring_balance(evaluated, side, rise).map(|force| force.max(0.0)).ok_or_else(unknown)
     }
 }
 
-/// Forces of a model that act during a contact.
-pub(crate) struct ForcesBeside<'e> {
+/// Vertical force on a wheel, N, that balances the springs on its side along the motion of the contact. `rise`: rise of the wheel centre per
+/// penetration. `None` without a spring, or if the force of one is unknown.
+fn spring_balance(evaluated: &EvaluatedQuestion, side: &str, rise: f64) -> Option<f64> {
+    let mut sum = None;
+    for element in sheet_elements(evaluated.prepared.model) {
+        if matches!(element.force, ElementForce::Spring(_)) && element.name.ends_with(side) {
+            let power = element.whole_force(evaluated)? * element.length_rate(evaluated)?;
+            sum = Some(sum.unwrap_or(0.0) - power / rise);
+        }
+    }
+    sum
+}
+
+/// Vertical forces on the wheels, N, that balance the springs of the sheet along the motion of the contact, with the links of the wheel centres.
+/// `None` if a force is unknown, or if a wheel is at rest.
+pub(crate) fn balancing_wheel_forces(evaluated: &EvaluatedQuestion) -> Option<Vec<(LinkId, f64)>> {
+    let force = |(link, name): (LinkId, &str)| {
+        let up = evaluated.pose.base().inverse_vector(&Vector3::z());
+        let rise = up.dot(&velocity(evaluated, link, &Vector3::zeros())?);
+        let side = name.strip_prefix("wheel_centre").unwrap_or_default();
+        let force = spring_balance(evaluated, side, rise)?;
+        force.is_finite().then_some((link, force))
+    };
+    links_of(evaluated.prepared.model, "wheel_centre").map(force).collect()
+}
+
+/// Forces of a model that act during a contact, in parallel with that of the contact.
+pub(crate) struct ParallelForces<'e> {
     /// Names of springs, dampers, tyre and anti-roll bar of the sheet, and of joints with springs.
     pub names: Vec<String>,
     /// Tyres whose force at the touch is unknown, with the reason: they act, and `force` does not contain them.
@@ -192,7 +208,7 @@ pub(crate) struct ForcesBeside<'e> {
 /// Springs, dampers, tyres and the anti-roll bar of the sheet, and springs of joints that act during the contact. To first order they act
 /// on the contact as the change Σ k i² x of the spring forces since the touch, the damper forces Σ i F(i ẋ), and the same for a tyre until it
 /// leaves the road; i is the change of the length, the twist or the height of the wheel per penetration. `None`: none acts.
-pub(crate) fn forces_beside<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<ForcesBeside<'e>> {
+pub(crate) fn parallel_forces<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<ParallelForces<'e>> {
     let EvaluatedQuestion { prepared, result, .. } = evaluated;
     if result.response.contact.is_moment {
         return None;
@@ -254,7 +270,7 @@ pub(crate) fn forces_beside<'e>(evaluated: &EvaluatedQuestion<'e>) -> Option<For
             + (bar.unwrap_or(0.0) + at_joints[0]) * x
             + at_joints[1] * v
     };
-    Some(ForcesBeside { names, unknown, force: Box::new(beside) })
+    Some(ParallelForces { names, unknown, force: Box::new(beside) })
 }
 
 /// Warning about springs, dampers, tyres and the anti-roll bar of the sheet that act during the contact, with both restitutions. `duration` (s)
@@ -265,7 +281,7 @@ pub(crate) fn springs_finding(
     speed: f64,
     (duration, alone): (f64, f64),
 ) -> Result<Option<Finding>, StudyError> {
-    let Some(ForcesBeside { names, unknown, force }) = forces_beside(evaluated) else { return Ok(None) };
+    let Some(ParallelForces { names, unknown, force }) = parallel_forces(evaluated) else { return Ok(None) };
     let left_out = match unknown.is_empty() {
         true => String::new(),
         false => format!("; not estimated: {}", unknown.join(", ")),
@@ -275,7 +291,7 @@ pub(crate) fn springs_finding(
         let message = format!("{lasts} forces act that are not estimated: {}", unknown.join(", "));
         return Ok(Some(Finding::about_result(FindingKind::SpringsAct, message)));
     }
-    let beside = restitution_beside_forces(damper, compliant, speed, &force)?;
+    let beside = restitution_with_parallel_forces(damper, compliant, speed, &force)?;
     let message = match beside {
         Some(e) if (e - alone).abs() <= SPRING_EFFECT && unknown.is_empty() => return Ok(None),
         Some(e) => format!("the restitution is about {e:.3} in place of {alone:.3}"),

@@ -121,8 +121,12 @@ fn elements(found: &CompliantImpactRecord, all: bool) -> (Table, String) {
     }
     let more = if left > 0 { format!("{left} more and ") } else { String::new() };
     let rest = if all { String::new() } else { format!("{more}the components of the forces: --all · ") };
+    let with = found.with_geometric_stiffness.map_or_else(String::new, |with| {
+        let change = signed(100.0 * (with.peak_force / found.peak_force - 1.0), 2);
+        format!(" (with it the peak changes by {change} %)")
+    });
     let note = format!(
-        "{rest}linear about the touch, without geometric stiffness, loss factors as dampers at {} Hz",
+        "{rest}linear about the touch, without geometric stiffness{with}, loss factors as dampers at {} Hz",
         number(found.loss_frequency)
     );
     (table, note)

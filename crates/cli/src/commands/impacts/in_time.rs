@@ -12,8 +12,8 @@ use crate::terminal::report::details_are_shown;
 use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
 use percuss_study::{
-    AntiRollBarRecord, BearingForceRecord, ImpactReport, ImpactTimeRecord, PointSpringRecord, ReactionPlace,
-    TyreRecord,
+    AntiRollBarRecord, BearingForceRecord, ImpactReport, ImpactTimeRecord, JointSpringRecord,
+    PointSpringRecord, ReactionPlace, TyreRecord,
 };
 
 /// Bearings with a force below this part of the contact force are left out of the figure.
@@ -65,6 +65,16 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
         );
         facts.push(("energy", text));
     }
+    if let Some(whole) = &found.with_whole_forces {
+        let text = format!(
+            "the springs act by the change of their forces; with the whole forces, which turn with the motion, and balancing wheel loads: peak {what} {} \
+             ({} %), restitution {}",
+            load(whole.peak_force, force),
+            signed(100.0 * (whole.peak_force / found.peak_force - 1.0), 2),
+            number(whole.restitution)
+        );
+        facts.push(("assumption", text));
+    }
     if let Some(touch) = &found.second_touch {
         let speed = ContactUnits::new(is_moment).speed;
         let text = format!(
@@ -108,16 +118,28 @@ fn acting(found: &ImpactTimeRecord) -> Option<String> {
     (!parts.is_empty()).then(|| parts.join("; "))
 }
 
-/// Springs of joints, by name up to three; `None` without any.
-fn joint_springs(found: &ImpactTimeRecord) -> Option<String> {
-    let springs = &found.joint_springs;
-    let names: Vec<&str> = springs.iter().take(3).map(|spring| spring.joint.as_str()).collect();
-    let more = springs.len() - names.len();
-    let more = if more > 0 { format!(" and {more} more") } else { String::new() };
-    let is_full = springs.iter().any(|spring| spring.force_at_touch != 0.0);
-    let force = if is_full { "whole force" } else { "change of the force since the touch" };
-    (!springs.is_empty())
-        .then(|| format!("springs and dampers of joints {}{more} ({force})", names.join(", ")))
+/// Springs of joints with their whole forces, springs with the change of the force since the touch, and dampers: each group with the names of at most
+/// three joints.
+fn joint_springs(found: &ImpactTimeRecord) -> Vec<String> {
+    let group = |kind: &str, acts: &dyn Fn(&JointSpringRecord) -> bool, force: &str| {
+        let joints: Vec<&str> =
+            found.joint_springs.iter().filter(|spring| acts(spring)).map(|spring| &*spring.joint).collect();
+        let more = joints.len().saturating_sub(3);
+        let more = if more > 0 { format!(" and {more} more") } else { String::new() };
+        let word = if joints.len() == 1 { "joint" } else { "joints" };
+        let names = joints.iter().take(3).copied().collect::<Vec<_>>().join(", ");
+        (!joints.is_empty()).then(|| format!("{kind} of {word} {names}{more}{force}"))
+    };
+    let has_force = |spring: &JointSpringRecord| spring.force_at_touch != 0.0;
+    let changes = |spring: &JointSpringRecord| spring.stiffness > 0.0 && !has_force(spring);
+    [
+        group("springs", &has_force, " (whole force)"),
+        group("springs", &changes, " (change of the force since the touch)"),
+        group("dampers", &|spring| spring.damping > 0.0, ""),
+    ]
+    .into_iter()
+    .flatten()
+    .collect()
 }
 
 /// Tyre with its forces.
@@ -140,8 +162,8 @@ fn named(kind: &str, name: &str) -> String {
     if name.starts_with(kind) { name.to_owned() } else { format!("{kind} {name}") }
 }
 
-/// What acts during the impact in time, as a sentence.
-pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> String {
+/// Forces that act during the impact in time, as a sentence.
+pub fn forces_sentence(found: &ImpactTimeRecord) -> String {
     let mut parts: Vec<String> =
         found.springs.iter().map(|spring| format!("the {}", named("spring", &spring.name))).collect();
     if found.gravity_world != [0.0; 3] {
@@ -151,11 +173,7 @@ pub fn forces_sentence(report: &ImpactReport, found: &ImpactTimeRecord) -> Strin
     parts.extend(found.tyres.iter().map(|tyre| format!("the tyre at {}", tyre.name)));
     parts.extend(found.anti_roll_bars.first().map(|_| "the anti-roll bar".to_owned()));
     parts.extend(found.drives.iter().map(|drive| format!("the drive of {}", drive.name)));
-    if report.has_joint_springs {
-        parts.push("the given joint springs".to_owned());
-    } else if !found.joint_springs.is_empty() {
-        parts.push("the springs and dampers of the joints".to_owned());
-    }
+    parts.extend(joint_springs(found).iter().map(|group| format!("the {group}")));
     let left_out = match found.springs_left_out.is_empty() {
         true => String::new(),
         false => format!(" Left out: {}.", found.springs_left_out.join(", ")),

@@ -127,7 +127,7 @@ fn validity(report: &ImpactReport) -> String {
     let several = if report.simultaneous.is_some() { "" } else { ", one impact" };
     let forces = match &report.in_time {
         None => "gravity, springs and dampers do not act".to_owned(),
-        Some(found) => in_time::forces_sentence(report, found),
+        Some(found) => in_time::forces_sentence(found),
     };
     let before = match report.motion_before {
         "given" => String::new(),

@@ -173,8 +173,7 @@ fn validity(results: &StudyResults) -> String {
     let is_several = impact.is_some_and(|impact| impact.simultaneous.is_some());
     let several = if is_several { "" } else { ", one contact at a time" };
     let in_time = impact.and_then(|impact| Some((impact, impact.in_time.as_ref()?)));
-    let in_time =
-        in_time.map_or_else(String::new, |(impact, found)| format!(" {}", forces_sentence(impact, found)));
+    let in_time = in_time.map_or_else(String::new, |(_, found)| format!(" {}", forces_sentence(found)));
     format!(
         "{friction}rigid links{several}. Gravity, springs and dampers have no effect: a finite force does no work in an instantaneous \
          impact. The effective mass does not depend on the speed.{in_time}"

@@ -55,8 +55,9 @@ export interface CompliantEnergyRecord {
 
 export interface CompliantImpactRecord {
   restitution: number; end: 'separates' | 'grazes' | 'no-rebound'; duration: number | null; max_penetration: number; peak_force: number;
-  impulse: number; impulse_mass: number; loss_frequency: number; second_hit: SecondHitRecord | null; energy: CompliantEnergyRecord;
-  elements: ElementForceRecord[]; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
+  impulse: number; impulse_mass: number; loss_frequency: number; with_geometric_stiffness: DirectionChangeRecord | null;
+  second_hit: SecondHitRecord | null; energy: CompliantEnergyRecord; elements: ElementForceRecord[]; times: number[]; penetration: number[];
+  closing_speed: number[]; force: number[];
 }
 
 export interface ConditionsRecord {
@@ -87,6 +88,10 @@ export interface DampingReport {
 export interface DiagnosticRecord {
   severity: 'error' | 'warning' | 'note'; code: string; path: string | null; line: number | null; column: number | null;
   element: string | null; message: string;
+}
+
+export interface DirectionChangeRecord {
+  restitution: number; peak_force: number;
 }
 
 export interface DirectionMass {
@@ -186,9 +191,10 @@ export interface ImpactTimeRecord {
   restitution_is_reached: boolean; damping: number | null; dissipation: number | null; loss_factor: number | null;
   one_freedom: VaryingMassImpact | null; gravity_world: Triple; springs: PointSpringRecord[];
   dampers: PointDamperRecord[]; tyres: TyreRecord[]; anti_roll_bars: AntiRollBarRecord[]; joint_springs: JointSpringRecord[];
-  drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[]; second_touch: SecondTouchRecord | null;
-  energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[]; closing_speed: number[]; force: number[];
-  effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[]; compliant: CompliantImpactRecord | null;
+  drives: DriveRecord[]; effective_weight: number | null; springs_left_out: string[]; with_whole_forces: DirectionChangeRecord | null;
+  second_touch: SecondTouchRecord | null; energy: EnergyRecord; loop_gap: number; times: number[]; penetration: number[];
+  closing_speed: number[]; force: number[]; effective_mass: (number | null)[]; joints: JointMotionRecord[]; bearings: BearingForceRecord[];
+  compliant: CompliantImpactRecord | null;
 }
 
 export interface Input {

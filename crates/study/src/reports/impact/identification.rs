@@ -3,7 +3,7 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::damped_contact::finite_mass;
-use crate::damper::sheet_forces::{ForcesBeside, forces_beside};
+use crate::damper::sheet_forces::{ParallelForces, parallel_forces};
 use crate::evaluation::named_contact::{NamedContactRecord, named_contact};
 use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -373,7 +373,7 @@ fn implausible(found: &Identification, expected: Option<f64>) -> Option<Diagnost
 
 /// Finding about springs and dampers of the sheet that act during the contact.
 fn forces_of_sheet(evaluated: &EvaluatedQuestion, report: &IdentificationReport) -> Option<DiagnosticRecord> {
-    let ForcesBeside { names, unknown, force } = forces_beside(evaluated)?;
+    let ParallelForces { names, unknown, force } = parallel_forces(evaluated)?;
     let part = |record: &IdentifiedRecord| {
         let (x, v) = (record.max_penetration.value, record.speed.value);
         force(x, 0.0).abs().max(force(0.0, v).abs()) / record.peak_force.value

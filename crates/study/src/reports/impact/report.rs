@@ -170,9 +170,6 @@ pub struct ImpactReport {
     pub reaction_residual: f64,
     /// Compliant contact, if a contact law was requested.
     pub contact_law: Option<ImpactLawRecord>,
-    /// True if springs of joints are given for the impact in time.
-    #[serde(skip)]
-    pub has_joint_springs: bool,
     /// Impact in time with the contact law, if requested.
     pub in_time: Option<ImpactTimeRecord>,
     /// Greatest closing speed by limits of joint rates and gears, if requested.
@@ -308,7 +305,6 @@ pub fn impact(
         joint_constraints: joint_constraint_records(pose.mechanism(), &rigid.reactions),
         reaction_residual: rigid.reactions.residual,
         in_time,
-        has_joint_springs: !impact.joint_spring.is_empty(),
         contact_law,
         greatest_closing_speed: greatest_speed(&evaluated, impact)?,
         limits_without_effect: limits_without_effect(&evaluated, impact),

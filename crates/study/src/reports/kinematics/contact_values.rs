@@ -2,7 +2,7 @@
 
 use crate::damper::damped_contact::finite_mass;
 use crate::damper::damping::{contact, contact_damper, require_stiffness};
-use crate::damper::sheet_forces::{forces_beside, with_sheet_curve};
+use crate::damper::sheet_forces::{parallel_forces, with_sheet_curve};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::model::loading::Model;
 use crate::model::record::DiagnosticRecord;
@@ -12,7 +12,7 @@ use crate::question::tables::damping::DampingQuestion;
 use crate::reports::answer_mass::mass;
 use crate::reports::kinematics::target_question::TargetSearch;
 use crate::values::force_curve::GivenCurve;
-use percuss_contact::{Damper, restitution_beside_forces};
+use percuss_contact::{Damper, restitution_with_parallel_forces};
 use percuss_mechanism::NamedContact;
 use percuss_suspension::kinematics::{KinematicUnit, KinematicValue};
 use std::sync::Arc;
@@ -85,9 +85,9 @@ pub(super) fn contact_impact(
     let damper = contact_damper(&question, compliant)?.scaled(factors.damping)?;
     let speed = question.speed().unwrap_or(f64::NAN);
     let alone = damper.impact(compliant, speed)?;
-    let restitution = match forces_beside(&evaluated) {
+    let restitution = match parallel_forces(&evaluated) {
         Some(beside) if !beside.unknown.is_empty() => Err(beside.unknown.join(", ")),
-        Some(beside) => restitution_beside_forces(damper, compliant, speed, &beside.force)?
+        Some(beside) => restitution_with_parallel_forces(damper, compliant, speed, &beside.force)?
             .ok_or_else(|| "the contact does not end".to_owned()),
         None => Ok(alone.restitution),
     };

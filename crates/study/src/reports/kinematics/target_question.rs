@@ -179,12 +179,12 @@ impl TargetSearch {
         if !(within.is_finite() && within > 0.0) {
             return Err(InvalidKey::new("targets.within", format!("{within} m; more than 0 is expected")));
         }
-        let beside_speed = [
+        let with_speed = [
             ("targets.restitution", asked.restitution.is_some()),
             ("targets.stiffness", asked.stiffness.is_some()),
         ];
         if let Some((key, _)) =
-            beside_speed.into_iter().find(|(_, is_given)| *is_given && asked.speed.is_none())
+            with_speed.into_iter().find(|(_, is_given)| *is_given && asked.speed.is_none())
         {
             return Err(InvalidKey::new(key, "it requires `speed`, the closing speed of the contacts"));
         }

@@ -1,7 +1,9 @@
 //! Impact in time with elastic bushes and gears, as a record.
 
-use super::forces::ActingForces;
-use crate::damper::compliance::{compliance_error, gear_elements, has_elastic_joints};
+use super::forces::{ActingForces, DirectionChangeRecord};
+use crate::checks::finding::Finding;
+use crate::checks::finding_kind::FindingKind;
+use crate::damper::compliance::{balanced_forces, compliance_error, gear_elements, has_elastic_joints};
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::errors::refusal::InvalidKey;
@@ -10,7 +12,7 @@ use crate::reports::impact::errors::impact_error;
 use percuss_contact::{CompliantContact, Damper, StiffnessLaw};
 use percuss_impact::{
     CompliantImpact, CompliantLaw, ContactEnd, ElementPeak, ImpactError, ImpactInTime, RigidImpact,
-    TimeConditions, compliant_impact,
+    TimeConditions, compliant_impact, compliant_impact_with_forces,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -79,8 +81,8 @@ pub struct CompliantEnergyRecord {
     pub residual: f64,
 }
 
-/// Impact in time with elastic bushes and gears, linear about the touch: small displacements, no geometric stiffness. Units of a contact along a
-/// normal.
+/// Impact in time with elastic bushes and gears, linear about the touch: small displacements, no geometric stiffness, whose effect
+/// `with_geometric_stiffness` states. Units of a contact along a normal.
 #[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct CompliantImpactRecord {
     /// Separation speed divided by closing speed; 0 without rebound.
@@ -99,6 +101,9 @@ pub struct CompliantImpactRecord {
     pub impulse_mass: f64,
     /// Frequency f at which loss factors act as dampers, c = ηk/(2πf), Hz: that of the rigid mechanism on the contact.
     pub loss_frequency: f64,
+    /// Size of an assumption: the same impact with the geometric stiffness of the preloads and springs, which forces on the wheels balance at the
+    /// touch; null without such forces, or if they are in no balance.
+    pub with_geometric_stiffness: Option<DirectionChangeRecord>,
     /// Second touch within the duration of the first contact; null if there is none.
     pub second_hit: Option<SecondHitRecord>,
     /// Energies.
@@ -115,7 +120,8 @@ pub struct CompliantImpactRecord {
     pub force: Vec<f64>,
 }
 
-/// Impact with elastic bushes and gears beside the impact in time of the rigid mechanism, `found`; `None` unless requested.
+/// Impact with elastic bushes and gears beside the impact in time of the rigid mechanism, `found`; `None` unless requested. A finding if the
+/// geometric stiffness of forces at the touch has an unknown effect.
 pub(super) fn compliant(
     evaluated: &EvaluatedQuestion,
     impact: &ImpactQuestion,
@@ -123,9 +129,9 @@ pub(super) fn compliant(
     (damper, contact): (Damper, CompliantContact),
     (conditions, acting): (&TimeConditions, &ActingForces),
     found: &ImpactInTime,
-) -> Result<Option<CompliantImpactRecord>, StudyError> {
+) -> Result<(Option<CompliantImpactRecord>, Option<Finding>), StudyError> {
     if !impact.compliance {
-        return Ok(None);
+        return Ok((None, None));
     }
     let EvaluatedQuestion { pose, result, .. } = evaluated;
     if !has_elastic_joints(evaluated) {
@@ -150,6 +156,20 @@ pub(super) fn compliant(
     };
     let gears = gear_elements(evaluated)?;
     let motion = (rigid.closing_speed, &rigid.before);
+    let elements = acting.at_touch(evaluated);
+    let with_forces = balanced_forces(evaluated, elements).map(|forces| {
+        let touch = &result.response.contact;
+        let found = compliant_impact_with_forces(pose, touch, motion, law, &gears, conditions, &forces?);
+        found.map_err(|error| error.to_string())
+    });
+    let (with_forces, left_out) = match with_forces.transpose() {
+        Ok(found) => (found, None),
+        Err(why) => {
+            let message =
+                format!("the effect of the geometric stiffness of preloads and springs is unknown: {why}");
+            (None, Some(Finding::about_result(FindingKind::NoGeometricStiffness, message)))
+        }
+    };
     let found = compliant_impact(pose, &result.response.contact, motion, law, &gears, conditions);
     let found = found.map_err(|error| match error {
         ImpactError::Compliance(error) => compliance_error(error),
@@ -162,7 +182,9 @@ pub(super) fn compliant(
         if is_bar { "anti-roll bar".to_owned() } else { joint.to_owned() }
     }));
     names.extend(acting.tyres.iter().map(|(name, _)| format!("tyre at {name}")));
-    Ok(Some(record(&found, &names)))
+    let with_geometric_stiffness = with_forces
+        .map(|found| DirectionChangeRecord { restitution: found.restitution, peak_force: found.peak_force });
+    Ok((Some(CompliantImpactRecord { with_geometric_stiffness, ..record(&found, &names) }), left_out))
 }
 
 /// Record of an impact. `names`: names of the first elements.
@@ -194,6 +216,7 @@ fn record(found: &CompliantImpact, names: &[String]) -> CompliantImpactRecord {
         impulse: found.impulse,
         impulse_mass: found.impulse_mass,
         loss_frequency: found.loss_frequency / TAU,
+        with_geometric_stiffness: None,
         second_hit: found.second_hit.map(|hit| SecondHitRecord { time: hit.time, speed: hit.speed }),
         energy: CompliantEnergyRecord {
             kinetic_before: energy.kinetic_before,

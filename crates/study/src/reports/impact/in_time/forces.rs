@@ -3,7 +3,8 @@
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::sheet_forces::{
-    ElementForce, SheetElement, joint_springs, sheet_bars, sheet_elements, sheet_tyres,
+    ElementForce, SheetElement, balancing_wheel_forces, joint_springs, sheet_bars, sheet_elements,
+    sheet_tyres,
 };
 use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -13,7 +14,9 @@ use crate::values::drives::GivenSpring;
 use crate::values::point_force::{Ends, GivenDrive};
 use crate::values::rates::rate_dimension;
 use percuss_dynamics::Pose;
-use percuss_impact::{ImpactInTime, ImpactSample, JointSpring, PointSpring, Support, peak_over_time};
+use percuss_impact::{
+    ImpactInTime, ImpactSample, JointSpring, PointSpring, Support, TimeConditions, peak_over_time,
+};
 use percuss_mechanism::{JointId, LinkId, SpringDamper};
 use percuss_spatial::Vector3;
 use percuss_units::Dimension;
@@ -95,6 +98,15 @@ pub struct JointSpringRecord {
     pub force_at_touch: f64,
 }
 
+/// The same impact with the change of direction of the forces at the touch.
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
+pub struct DirectionChangeRecord {
+    /// Restitution.
+    pub restitution: f64,
+    /// Largest force of the contact, N.
+    pub peak_force: f64,
+}
+
 /// Spring, damper or drive between points with its name.
 type NamedSpring = (String, PointSpring);
 
@@ -125,7 +137,12 @@ impl ActingForces {
                 continue;
             }
             if mode == SheetSprings::None {
-                acting.left_out.push(format!("spring of {}", pose.mechanism().joint(joint).name()));
+                let kind = match (spring.stiffness > 0.0, spring.damping > 0.0) {
+                    (true, true) => "spring and damper",
+                    (true, false) => "spring",
+                    (false, _) => "damper",
+                };
+                acting.left_out.push(format!("{kind} of {}", pose.mechanism().joint(joint).name()));
                 continue;
             }
             let free_position = (mode == SheetSprings::Full).then_some(spring.reference);
@@ -184,6 +201,54 @@ impl ActingForces {
     /// True without any force.
     pub fn is_empty(&self) -> bool {
         self.lines.is_empty() && self.joints.is_empty() && self.tyres.is_empty()
+    }
+
+    /// Forces of all elements at the touch along their motion, N or N·m, for their geometric stiffness: lines, joints, then supports. The springs of the
+    /// sheet have their whole forces.
+    pub fn at_touch(&self, evaluated: &EvaluatedQuestion) -> Vec<f64> {
+        let pose = &evaluated.pose;
+        let elements = sheet_elements(evaluated.prepared.model);
+        let of_line = |(name, line): &NamedSpring| {
+            let element = elements.iter().find(|element| element.name == name);
+            let [a, b] = line.ends.map(|(link, point)| pose.link(link).point(&point));
+            let own = line.free_length.map(|free| line.rate * (free - (b - a).norm()));
+            own.or_else(|| element?.whole_force(evaluated)).unwrap_or(0.0) + line.drive
+        };
+        let of_tyre = |(_, tyre): &(String, Support)| if tyre.is_balanced { 0.0 } else { tyre.force };
+        let lines = self.lines.iter().map(of_line).chain(self.joints.iter().map(|_| 0.0));
+        lines.chain(self.tyres.iter().map(of_tyre)).collect()
+    }
+
+    /// Conditions with the whole forces of the springs of the sheet, which constant vertical forces on the wheel centres balance at the touch. `None` if
+    /// the whole forces act in `conditions`, or are unknown.
+    pub fn with_whole_forces(
+        &self,
+        evaluated: &EvaluatedQuestion,
+        conditions: &TimeConditions,
+    ) -> Option<TimeConditions> {
+        let mut whole = TimeConditions { samples_within_steps: 0, ..conditions.clone() };
+        let mut has_spring = false;
+        for element in sheet_elements(evaluated.prepared.model) {
+            let ElementForce::Spring(spring) = &element.force else { continue };
+            let is_own = |(name, line): &NamedSpring| name == element.name && line.free_length.is_none();
+            let line = self.lines.iter().position(is_own)?;
+            let force = element.whole_force(evaluated)?;
+            whole.point_springs[line].free_length =
+                Some(element.length(&evaluated.pose) + force / spring.rate);
+            has_spring |= force != 0.0;
+        }
+        for (link, force) in balancing_wheel_forces(evaluated)?.into_iter().filter(|_| has_spring) {
+            whole.supports.push(Support {
+                link,
+                point: Vector3::zeros(),
+                direction: Vector3::z() * force.signum(),
+                rate: 0.0,
+                damping: 0.0,
+                force: force.abs(),
+                is_balanced: false,
+            });
+        }
+        has_spring.then_some(whole)
     }
 
     /// Drives with their work until the largest penetration.

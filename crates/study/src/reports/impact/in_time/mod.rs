@@ -16,8 +16,8 @@ use crate::question::tables::impact::ImpactQuestion;
 use crate::reports::impact::errors::impact_error;
 use crate::reports::impact::in_time::compliant::{CompliantImpactRecord, compliant};
 use crate::reports::impact::in_time::forces::{
-    ActingForces, AntiRollBarRecord, DriveRecord, JointSpringRecord, PointDamperRecord, PointSpringRecord,
-    TyreRecord,
+    ActingForces, AntiRollBarRecord, DirectionChangeRecord, DriveRecord, JointSpringRecord,
+    PointDamperRecord, PointSpringRecord, TyreRecord,
 };
 use crate::reports::impact::reactions::{ReactionPlace, ReactionRecord, records};
 use crate::thresholds::{
@@ -25,7 +25,7 @@ use crate::thresholds::{
 };
 use percuss_contact::{Damper, Separation, StiffnessLaw, VaryingMassImpact};
 use percuss_dynamics::Pose;
-use percuss_impact::{ImpactInTime, RigidImpact, TimeConditions, impact_in_time, peak_over_time};
+use percuss_impact::{ImpactInTime, RigidImpact, TimeConditions, impact_in_time};
 use percuss_spatial::Vector3;
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -129,6 +129,10 @@ pub struct ImpactTimeRecord {
     pub effective_weight: Option<f64>,
     /// Springs, dampers, tyres and anti-roll bars of the suspension sheet and springs of joints that are left out.
     pub springs_left_out: Vec<String>,
+    /// Size of an assumption: only the change of the forces of the springs since the touch acts; here the same impact with their whole forces, which
+    /// change their direction, and with constant vertical forces on the wheel centres that balance them at the touch. Null if the whole forces act
+    /// or are unknown.
+    pub with_whole_forces: Option<DirectionChangeRecord>,
     /// Second touch of the contact within three of its durations after its end, without the force of the contact in between; null if there is none.
     pub second_touch: Option<SecondTouchRecord>,
     /// Energies of the motion.
@@ -210,12 +214,15 @@ pub(crate) fn in_time(
     } else {
         None
     };
-    let with_bushes =
+    let whole = acting.with_whole_forces(evaluated, &conditions);
+    let whole = whole.map(|whole| run(damper, &whole)).transpose()?;
+    let (with_bushes, left_out) =
         compliant(evaluated, impact, rigid, (damper, compliant_contact), (&conditions, &acting), &found)?;
     let drives = acting.drive_records(pose, &found);
     let work: f64 = drives.iter().map(|drive| drive.work).sum();
     let effective_weight = (!drives.is_empty()).then(|| mass + 2.0 * work / rigid.closing_speed.powi(2));
     let mut findings = acting.damper_findings(pose, &found);
+    findings.extend(left_out);
     let states = found.samples.iter().map(|sample| (sample.time, &sample.positions[..]));
     findings.extend(PassedStops::of_joints(prepared).map(|stops| stops.reached(states)).unwrap_or_default());
     let record = ImpactTimeRecord {
@@ -247,6 +254,10 @@ pub(crate) fn in_time(
         effective_weight,
         anti_roll_bars: acting.bars,
         springs_left_out: acting.left_out,
+        with_whole_forces: whole.map(|whole| DirectionChangeRecord {
+            restitution: whole.restitution,
+            peak_force: whole.peak_force,
+        }),
         second_touch: found.second_touch.map(|touch| SecondTouchRecord {
             time: found.duration + touch.after_end,
             speed: touch.closing_speed,
@@ -380,14 +391,11 @@ fn bearings(
     };
     let mut bearings: Vec<BearingForceRecord> = estimates.iter().map(start).collect();
     for sample in &found.samples {
-        for (bearing, record) in bearings.iter_mut().zip(records(pose, &sample.reactions, held, None)) {
-            bearing.force.push(size(&record));
-        }
+        let forces = sample.reactions.determinate_forces();
+        bearings.iter_mut().zip(forces).for_each(|(bearing, force)| bearing.force.push(force));
     }
-    let times: Vec<f64> = found.samples.iter().map(|sample| sample.time).collect();
-    for bearing in &mut bearings {
-        let peak = peak_over_time(&times, &bearing.force);
-        (bearing.peak_force, bearing.peak_time) = peak.filter(|(force, _)| *force > 0.0).unwrap_or_default();
+    for (bearing, peak) in bearings.iter_mut().zip(&found.bearing_peaks) {
+        (bearing.peak_force, bearing.peak_time) = *peak;
     }
     bearings
 }
