@@ -204,3 +204,16 @@ fn impedances_of_mujoco_are_as_measured() {
         assert!(relative_difference(rest, at_rest) < 1e-6, "{solref:?} {solimp:?}: {rest} {at_rest}");
     }
 }
+
+/// The standard format of MuJoCo has a time constant, which an undamped contact lacks.
+#[test]
+fn only_an_undamped_contact_has_no_standard_format() {
+    let contact = CompliantContact::new(2.0, 1e5).unwrap();
+    for restitution in [0.5, 1.0] {
+        let options = Options { own_mass: Some(2.0), ..Options::default() };
+        let request = Request { contact, restitution, speed: Some(1.0), options };
+        let export = Tool::MUJOCO.export(&request).unwrap();
+        let lacks = export.cannot.iter().any(|what| what.contains("standard format"));
+        assert_eq!(lacks, restitution == 1.0, "{restitution}: {:?}", export.cannot);
+    }
+}
