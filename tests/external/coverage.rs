@@ -28,7 +28,7 @@ fn main() {
         }
     }
     for (base, sum) in ["fixed", "floating"].into_iter().zip(all) {
-        let Coverage { mechanisms, regular, by_kernel, wrong } = sum;
+        let Coverage { mechanisms, regular, by_kernel, wrong, .. } = sum;
         println!(
             "{base} base: {mechanisms} mechanisms, {by_kernel} of {regular} ({:.1} %); {wrong} differ from the pose by more than the \
              stated errors",
@@ -49,15 +49,21 @@ fn print_families(size: u64, each: bool) {
                 if each && own.by_kernel < own.regular {
                     let (regular, answered) = (own.regular, own.by_kernel);
                     println!(
-                        "  {} {:?}: {answered} of {regular}",
+                        "  {} {:?}: {answered} of {regular}, {} without kernel, {} ill-conditioned",
                         subject.mechanism.name(),
-                        subject.conditions
+                        subject.conditions,
+                        own.unsupported,
+                        own.ill_conditioned
                     );
                 }
                 sum += own;
             }
-            let Coverage { regular, by_kernel, wrong, .. } = sum;
-            println!("{name}, {kind:?}: {by_kernel} of {regular} ({:.1} %), {wrong} wrong", sum.per_cent());
+            let Coverage { regular, by_kernel, wrong, unsupported, ill_conditioned, .. } = sum;
+            println!(
+                "{name}, {kind:?}: {by_kernel} of {regular} ({:.1} %), {unsupported} without kernel, {ill_conditioned} ill-conditioned, \
+                 {wrong} wrong",
+                sum.per_cent()
+            );
             all += sum;
         }
     }

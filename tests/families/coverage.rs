@@ -30,26 +30,26 @@ fn sum(base: Base, other: OtherSide) -> Coverage {
     all
 }
 
-/// Configurations without a result of a kernel have too large a bound of the rounding error: nearly immovable contacts, and axles on a
-/// floating base. On a processor without fused multiply-add, a few bounds differ.
+/// Configurations without a result of a kernel have too large a bound of the rounding error: contacts that are nearly immovable. On a
+/// processor without fused multiply-add, a few bounds differ.
 #[test]
 fn shipped_models() {
     let fixed = sum(Base::Fixed, OtherSide::Ground);
     assert!((fixed.mechanisms, fixed.regular) >= (40, 1310), "{fixed:?}");
     assert_eq!(fixed.wrong, 0);
-    assert!(fixed.by_kernel >= 1290, "{fixed:?}");
+    assert!(fixed.by_kernel >= 1305, "{fixed:?}");
     let floating = sum(Base::Floating, OtherSide::Ground);
     assert!((floating.mechanisms, floating.regular) >= (40, 1639), "{floating:?}");
     assert_eq!(floating.wrong, 0);
-    assert!(floating.by_kernel >= 1630, "{floating:?}");
+    assert!(1000 * floating.by_kernel >= 993 * floating.regular, "{floating:?}");
 }
 
 #[test]
 fn contacts_between_links() {
-    for (base, regular, least) in [(Base::Fixed, 1270, 1210), (Base::Floating, 1073, 980)] {
+    for (base, regular) in [(Base::Fixed, 1270), (Base::Floating, 1073)] {
         let all = sum(base, OtherSide::Link);
         assert!(all.regular >= regular && all.wrong == 0, "{all:?}");
-        assert!(all.by_kernel >= least, "{all:?}");
+        assert!(1000 * all.by_kernel >= 993 * all.regular, "{all:?}");
     }
 }
 
@@ -72,22 +72,23 @@ fn held_roots_without_mass() {
     }
 }
 
-/// Smallest share that the kernels answer in each generated family, over all kinds of contacts, per cent. Random mimics bind joints of
-/// several subtrees, or more than four coordinates, which the kernel of trees does not support.
+/// Smallest share that the kernels answer in each generated family, over all kinds of contacts, per cent. The others are nearly immovable or
+/// nearly singular, have a massless motion, or a normal along a short line.
 const LEAST_SHARES: [(&str, usize); 8] = [
     ("trees", 98),
-    ("trees with mimics", 28),
-    ("specimens of joints", 76),
-    ("trees with a held point", 95),
+    ("trees with mimics", 99),
+    ("specimens of joints", 96),
+    ("trees with a held point", 97),
     ("linkages of all closures", 99),
-    ("linkages with relations", 92),
-    ("planar linkages", 98),
-    ("known linkages", 95),
+    ("linkages with relations", 99),
+    ("planar linkages", 99),
+    ("known linkages", 98),
 ];
 
 /// Generated trees and linkages with contacts of all kinds.
 #[test]
 fn generated_families() {
+    let mut sum = Coverage::default();
     for ((name, subjects), (expected, least)) in families(1).into_iter().zip(LEAST_SHARES) {
         assert_eq!(name, expected);
         for other in [OtherSide::Ground, OtherSide::Link, OtherSide::Line, OtherSide::Moment] {
@@ -96,6 +97,8 @@ fn generated_families() {
             println!("{name}, {other:?}: {all:?}");
             assert!(all.regular >= 300 && all.wrong == 0, "{name}, {other:?}: {all:?}");
             assert!(100 * all.by_kernel >= least * all.regular, "{name}, {other:?}: {all:?}");
+            sum += all;
         }
     }
+    assert!(1000 * sum.by_kernel >= 994 * sum.regular, "{sum:?}");
 }

@@ -16,6 +16,8 @@ use std::sync::Arc;
 /// Number of contacts per mechanism, and of configurations per contact.
 const CONTACTS: usize = 6;
 const CONFIGURATIONS: usize = 8;
+/// Relative error stated by the recursion above which a configuration counts as ill-conditioned.
+const ILL_CONDITIONED: f64 = 1e-11;
 /// Largest motion of a driver from the pose as drawn, rad or m.
 const LARGEST_MOTION: f64 = 0.4;
 
@@ -30,6 +32,10 @@ pub struct Coverage {
     pub by_kernel: usize,
     /// Answers of a kernel that differ from that of the pose by more than the stated errors of both.
     pub wrong: usize,
+    /// Regular configurations of mechanisms and contacts without a kernel.
+    pub unsupported: usize,
+    /// Regular configurations without an answer of a kernel, for which the recursion states a relative error above 1e-11.
+    pub ill_conditioned: usize,
 }
 
 impl Coverage {
@@ -45,6 +51,8 @@ impl AddAssign for Coverage {
         self.regular += other.regular;
         self.by_kernel += other.by_kernel;
         self.wrong += other.wrong;
+        self.unsupported += other.unsupported;
+        self.ill_conditioned += other.ill_conditioned;
     }
 }
 
@@ -244,11 +252,18 @@ pub fn coverage_of(subject: &Subject, other: OtherSide) -> Coverage {
         let Ok(mut batch) = pose.assembly().batch(&contact) else { continue };
         for pose in rows {
             let Ok(answer) = batch.effective_mass(pose.positions()) else { continue };
-            if let Some(EffectiveMass::Finite(_)) = answer.mass {
-                counts.regular += 1;
-                let Ok(Some((mass, error))) = batch.kernel_mass(pose.positions()) else { continue };
-                counts.by_kernel += 1;
-                counts.wrong += usize::from(!agrees(&pose, &contact, mass, error));
+            let Some(EffectiveMass::Finite(expected)) = answer.mass else { continue };
+            counts.regular += 1;
+            match batch.kernel_mass(pose.positions()) {
+                Ok(Some((mass, error))) => {
+                    counts.by_kernel += 1;
+                    counts.wrong += usize::from(!agrees(&pose, &contact, mass, error));
+                }
+                _ if !batch.has_lanes() => counts.unsupported += 1,
+                _ => {
+                    let is_ill = answer.error.is_none_or(|error| error > ILL_CONDITIONED * expected);
+                    counts.ill_conditioned += usize::from(is_ill);
+                }
             }
         }
     }

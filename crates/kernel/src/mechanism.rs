@@ -32,6 +32,17 @@ impl JointMotion {
             Self::Fixed | Self::Revolute | Self::Spherical => false,
         }
     }
+
+    /// Number of positions.
+    pub fn positions(self) -> usize {
+        match self {
+            Self::Fixed | Self::Base => 0,
+            Self::Revolute | Self::Prismatic => 1,
+            Self::Planar => 3,
+            Self::Spherical => 4,
+            Self::Floating => 7,
+        }
+    }
 }
 
 /// A position that moves a joint: `multiplier · positions[q] + offset`.
@@ -126,6 +137,12 @@ impl Mechanism {
     /// True if no motion of any body has a negative kinetic energy.
     pub fn is_positive(&self) -> bool {
         self.bodies.iter().all(|body| is_positive(&body.inertia))
+    }
+
+    /// Indices of the positions that move the bodies.
+    pub fn read_positions(&self) -> Vec<usize> {
+        let first = |body: &Body| body.mimic.map_or(body.q, |mimic| mimic.q);
+        self.bodies.iter().flat_map(|body| first(body)..first(body) + body.motion.positions()).collect()
     }
 
     /// True for a body without inertia from which a floating subtree begins: contacts on this body have another effective mass.

@@ -63,6 +63,11 @@ pub const QUICK_COORDINATES: usize = 64;
 /// Smallest admissible pivot when the rows are ordered, relative to the largest remaining entry. Of the admissible pivots, the one with the
 /// smallest Markowitz count comes first (Markowitz 1957).
 pub const PIVOT_CHOICE: f64 = 0.5;
+/// Largest number of further kernels of a linkage, for results that its first kernel does not certify.
+pub const ALTERNATIVE_KERNELS: usize = 3;
+/// Factor of the entries of a coordinate in the choice of pivots for each earlier kernel in which the coordinate is dependent: another
+/// coordinate is preferred unless its pivot is sixteen times as small.
+pub const DEPENDED_BEFORE: f64 = 1.0 / 16.0;
 /// Largest number of degrees of freedom of such a linkage, whose energy is a full matrix over these.
 pub const LINKAGE_FREEDOMS: usize = 64;
 /// Largest remainder of a redundant row, as a fraction of the remainder below which a row counts as redundant: a factor of four

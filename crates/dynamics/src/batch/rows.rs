@@ -345,7 +345,14 @@ impl Worker {
                     false => {
                         row.iter_mut().enumerate().for_each(|(q, to)| *to = positions.at(start + lane, q));
                         let contact = rows.contact_at(start + lane);
-                        evaluate_row(workspace, &contact, row, row_remarks)
+                        let alternative = in_lanes.as_mut().filter(|_| of_rows.is_some());
+                        let model = workspace.assembly().model();
+                        match alternative
+                            .and_then(|k| k.alternative_mass(&kernel_contact(model, &contact), row))
+                        {
+                            Some(clear) => BatchAnswer::finite(clear.mass, clear.error, remarks),
+                            None => evaluate_row(workspace, &contact, row, row_remarks),
+                        }
                     }
                 };
                 answer.remarks |= *own;

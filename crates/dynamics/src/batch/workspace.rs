@@ -1,5 +1,5 @@
-//! Workspace for many configurations. After the first configuration nothing is allocated, if no group of loops has
-//! more than 64 coordinates and no cluster more than 48 degrees of freedom.
+//! Workspace for many configurations. After the first configuration and the first results that a kernel does not certify, nothing is
+//! allocated, if no group of loops has more than 64 coordinates and no cluster more than 48 degrees of freedom.
 
 use crate::analysis::assembly::Assembly;
 use crate::analysis::pose::Pose;
@@ -27,7 +27,7 @@ use std::ops::Range;
 use std::sync::Arc;
 
 /// Reusable buffers for m̄ at many poses of a system: trees, mimics, loops and held contacts. No allocation if the
-/// recursion gives the result without the dense route.
+/// recursion gives the result without the dense route; the first results that a kernel does not certify compile further kernels.
 #[derive(Clone, Debug)]
 pub struct Workspace {
     assembly: Arc<Assembly>,

@@ -13,12 +13,8 @@ use percuss_kernel::Kernel;
 
 /// Compiled kernel of a mechanism; `None` if no kernel supports the mechanism.
 pub(crate) fn compile(assembly: &Assembly) -> Option<Kernel> {
-    let model = assembly.model();
-    if model.groups.is_empty() {
-        return Kernel::of_tree(&mechanism(model));
-    }
-    let linkage = linkage(assembly)?;
     // The rows may be singular as drawn.
-    let kernel = Kernel::of_linkage(&linkage, &assembly.facts().reference);
-    kernel.or_else(|| Kernel::of_linkage(&linkage, assembly.generic_positions()))
+    let poses = [&assembly.facts().reference[..], assembly.generic_positions()];
+    let is_tree = assembly.model().groups.is_empty();
+    Kernel::compile(linkage(assembly)?, if is_tree { &poses[1..] } else { &poses })
 }

@@ -14,17 +14,18 @@ use percuss_spatial::{SpatialInertia, Transform, plane_basis};
 use std::collections::{BTreeMap, BTreeSet};
 
 impl LoopPlan {
-    /// Plan with rows and columns ordered by the pivots at `positions`; `may_depend(coordinate)`: true if the coordinate may be dependent.
+    /// Plan with rows and columns ordered by the pivots at `positions`; `weight(coordinate)`: factor of its entries in the choice of pivots,
+    /// 0 if the coordinate may not be dependent.
     /// `None` for many degrees of freedom, negative inertias, and rows that are not regular at the positions.
-    pub fn compile(linkage: &Linkage, positions: &[f64], may_depend: &dyn Fn(usize) -> bool) -> Option<Self> {
-        Self::compile_rows(linkage, positions, may_depend, false)
+    pub fn compile(linkage: &Linkage, positions: &[f64], weight: &dyn Fn(usize) -> f64) -> Option<Self> {
+        Self::compile_rows(linkage, positions, weight, false)
     }
 
     /// Plan of [`Self::compile`]. `closes`: with the residuals of linear relations, which do not change their rows.
     fn compile_rows(
         linkage: &Linkage,
         positions: &[f64],
-        may_depend: &dyn Fn(usize) -> bool,
+        weight: &dyn Fn(usize) -> f64,
         closes: bool,
     ) -> Option<Self> {
         let Linkage {
@@ -32,12 +33,11 @@ impl LoopPlan {
         } = linkage;
         let numbers = column_numbers(mechanism);
         let (columns, bodies) = (numbers.iter().flatten().count(), mechanism.bodies.len());
-        if blocks.is_empty()
-            || columns > LINKAGE_COORDINATES
+        if columns > LINKAGE_COORDINATES
             || bodies > LINKAGE_COORDINATES
             || !(1..=LINKAGE_FREEDOMS).contains(&columns.checked_sub(*rank)?)
             || !mechanism.is_positive()
-            || !shortest_length.is_finite()
+            || bodies == 0
         {
             return None;
         }
@@ -49,7 +49,7 @@ impl LoopPlan {
             filled_in: Vec::new(),
             remainders: Vec::new(),
             depends_on: Vec::new(),
-            scale: 0.0,
+            scale: 1.0,
             redundant: 0.0,
             length: *shortest_length,
             weight: 0.0,
@@ -82,7 +82,7 @@ impl LoopPlan {
             counts[body] = own.parent.map_or(0, |parent| counts[parent]) + own.velocities.len();
         }
         plan.chain = counts.into_iter().max().unwrap_or(0) as f64;
-        plan.weight = plan.bodies.iter().map(|body| weight(body, *shortest_length)).sum();
+        plan.weight = plan.bodies.iter().map(|body| largest_energy(body, *shortest_length)).sum();
         // The rounding errors of the frames along a chain are independent: their sum grows with the square root of the depth.
         plan.roundings = LANE_ROW_ROUNDINGS * (1.0 + (*depth as f64).sqrt());
         let mut rows = 0;
@@ -95,7 +95,7 @@ impl LoopPlan {
             plan.blocks.push(block);
         }
         let coordinates: Vec<usize> = (0..numbers.len()).filter(|&c| numbers[c].is_some()).collect();
-        plan.order(rows, *rank, positions, &|column| may_depend(coordinates[column]))?;
+        plan.order(rows, *rank, positions, &|column| weight(coordinates[column]))?;
         plan.redundant = REDUNDANT_ROW * redundancy_threshold * plan.scale;
         plan.fill_root_weights();
         Some(plan)
@@ -106,9 +106,9 @@ impl LoopPlan {
     pub fn compile_driven(
         linkage: &Linkage,
         positions: &[f64],
-        may_depend: &dyn Fn(usize) -> bool,
+        weight: &dyn Fn(usize) -> f64,
     ) -> Option<Self> {
-        let plan = Self::compile_rows(linkage, positions, may_depend, true)?;
+        let plan = Self::compile_rows(linkage, positions, weight, true)?;
         let binds = |(form, _): &(RowForm, _)| matches!(form, RowForm::Orientation(..));
         let is_closed = |block: &Block| block.predecessor.is_some() || block.relation.is_some();
         let fits = |block: &Block| is_closed(block) && !block.forms.iter().any(binds);
@@ -196,7 +196,7 @@ impl LoopPlan {
         rows: usize,
         rank: usize,
         positions: &[f64],
-        may_depend: &dyn Fn(usize) -> bool,
+        weight: &dyn Fn(usize) -> f64,
     ) -> Option<()> {
         let columns = self.columns;
         let pattern = self.pattern(rows);
@@ -205,14 +205,15 @@ impl LoopPlan {
         let values = matrix_at(self, positions);
         let entries = pattern.iter().enumerate().flat_map(|(r, row)| row.iter().map(move |c| (r, *c)));
         entries.zip(values).for_each(|((r, c), value)| _ = matrix[r].insert(c, value));
+        let dependent = matrix.iter().flatten().filter(|(c, _)| weight(**c) > 0.0);
+        if rank > 0 {
+            self.scale = dependent.map(|(_, x)| x.abs()).fold(0.0, f64::max);
+        }
         let (mut row_at, mut column_at) = (vec![None; rows], vec![None; columns]);
         for k in 0..rank {
-            let (r, c, largest) = best_pivot(&matrix, &row_at, &column_at, may_depend)?;
+            let (r, c) = best_pivot(&matrix, &row_at, &column_at, weight)?;
             let pivot_row = matrix[r].clone();
             let pivot = *pivot_row.get(&c)?;
-            if k == 0 {
-                self.scale = largest;
-            }
             // A NaN pivot is refused.
             if !(pivot.abs() * LINKAGE_PIVOT >= self.scale && pivot != 0.0) {
                 return None;
@@ -311,18 +312,18 @@ impl LoopPlan {
     }
 }
 
-/// Row and column of the pivot with the smallest Markowitz count (the largest possible number of entries that its elimination fills in),
-/// and the magnitude of the largest remaining entry in a column that may be dependent. A pivot has at least [`PIVOT_CHOICE`] times this
-/// magnitude.
+/// Row and column of the pivot with the smallest Markowitz count (the largest possible number of entries that its elimination fills in).
+/// A pivot has at least [`PIVOT_CHOICE`] times the largest weighted magnitude of the remaining entries.
 fn best_pivot(
     matrix: &[BTreeMap<usize, f64>],
     row_at: &[Option<usize>],
     column_at: &[Option<usize>],
-    may_depend: &dyn Fn(usize) -> bool,
-) -> Option<(usize, usize, f64)> {
+    weight: &dyn Fn(usize) -> f64,
+) -> Option<(usize, usize)> {
     let open = || {
+        let entries = matrix.iter().enumerate();
         let entries =
-            matrix.iter().enumerate().flat_map(|(r, row)| row.iter().map(move |(c, x)| (r, *c, x.abs())));
+            entries.flat_map(|(r, row)| row.iter().map(move |(c, x)| (r, *c, x.abs() * weight(*c))));
         entries.filter(|(r, c, _)| row_at[*r].is_none() && column_at[*c].is_none())
     };
     let mut counts = (vec![0_usize; matrix.len()], vec![0_usize; column_at.len()]);
@@ -330,19 +331,17 @@ fn best_pivot(
     for (r, c, size) in open() {
         counts.0[r] += 1;
         counts.1[c] += 1;
-        if may_depend(c) {
-            largest = largest.max(size);
-        }
+        largest = largest.max(size);
     }
     let fill = |r: usize, c: usize| (counts.0[r] - 1) * (counts.1[c] - 1);
     open()
-        .filter(|(_, c, size)| may_depend(*c) && *size >= PIVOT_CHOICE * largest)
+        .filter(|(_, c, size)| weight(*c) > 0.0 && *size >= PIVOT_CHOICE * largest)
         .min_by(|a, b| {
             let [of_a, of_b] = [a, b].map(|(r, c, _)| fill(*r, *c));
             // Ties go to the last entry: coordinates near the root stay independent, and the energy is eliminated from the root on.
             of_a.cmp(&of_b).then(b.2.total_cmp(&a.2)).then((b.0, b.1).cmp(&(a.0, a.1)))
         })
-        .map(|(r, c, _)| (r, c, largest))
+        .map(|(r, c, _)| (r, c))
 }
 
 /// Column of each coordinate; `None` for coordinates of joints between a massless base and the first body with mass.
@@ -357,7 +356,7 @@ fn column_numbers(mechanism: &Mechanism) -> Vec<Option<usize>> {
 }
 
 /// Upper bound of twice the kinetic energy of a body at unit rates (m/s).
-fn weight(body: &LoopBody, length: f64) -> f64 {
+fn largest_energy(body: &LoopBody, length: f64) -> f64 {
     let rotors: f64 = body.velocities.iter().map(|v| v.armature * v.factor * v.factor).sum();
     let own = body.inertia.map_or(0.0, |i| {
         let arm = 1.0 + body.reach / length;

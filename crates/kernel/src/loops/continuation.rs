@@ -113,7 +113,7 @@ impl LoopContinuation {
         dependent: &[bool],
         given: &[usize],
     ) -> Option<Self> {
-        let plan = LoopPlan::compile_driven(linkage, positions, &|column| dependent[column])?;
+        let plan = LoopPlan::compile_driven(linkage, positions, &|column| f64::from(dependent[column]))?;
         let bodies = &linkage.mechanism.bodies;
         let rank = plan.layout.count;
         let (mut following, mut free) = (Vec::new(), Vec::new());

@@ -4,6 +4,7 @@
 //! The kernel returns only results without doubt. All other cases (redundant rows that contradict each other, positions that do not close the loops, poses near singular ones, massless or immovable contacts and
 //! contacts near either) are left to the caller.
 
+mod alternatives;
 mod compile;
 mod continuation;
 mod energy;
@@ -13,17 +14,18 @@ mod plan;
 mod relations;
 mod rows;
 
+pub(crate) use alternatives::AlternativeKernels;
 pub use continuation::{FollowedRow, LoopContinuation, Positions};
 
 use crate::aligned::Aligned;
 use crate::columns::{CertifiedMass, LaneContacts, MassColumns, PositionColumns, WIDEST};
 use crate::contact::{Contact, ContactConversion, LinkFrame, Normal, NormalFrame, relative_frame};
-use crate::mechanism::{BodyDirection, Linkage};
+use crate::mechanism::{BodyDirection, Linkage, Mechanism};
 use crate::tolerances::{LANES_TRUSTED_ERROR, LARGE_TRUSTED_ERROR, QUICK_COORDINATES};
 use energy::{LoopContact, LoopNormal, LoopResponse, evaluate};
 use nalgebra::{Matrix3, Vector3};
 use percuss_spatial::lanes::{Instructions, Lanes, Work};
-use plan::{LoopMotion, LoopPlan};
+use plan::{LoopPlan, LoopVelocity};
 use std::sync::Arc;
 
 /// Compiled linkage, its contact, and a workspace.
@@ -39,7 +41,12 @@ pub struct LoopKernel {
 impl LoopKernel {
     /// Kernel of a linkage whose rows are regular at the given positions; `None` if the linkage is not supported.
     pub fn compile(linkage: &Linkage, positions: &[f64]) -> Option<Self> {
-        Some(Self::from_plan(LoopPlan::compile(linkage, positions, &|_| true)?))
+        Self::compile_weighted(linkage, positions, &|_| 1.0)
+    }
+
+    /// As [`compile`](Self::compile), with a weight of each coordinate in the choice of pivots.
+    fn compile_weighted(linkage: &Linkage, positions: &[f64], weight: &dyn Fn(usize) -> f64) -> Option<Self> {
+        Some(Self::from_plan(LoopPlan::compile(linkage, positions, weight)?))
     }
 
     fn from_plan(plan: LoopPlan) -> Self {
@@ -134,15 +141,12 @@ impl LoopKernel {
         if self.plan.columns > QUICK_COORDINATES { LARGE_TRUSTED_ERROR } else { LANES_TRUSTED_ERROR }
     }
 
-    /// Indices of the positions that the kernel reads.
-    pub fn read_positions(&self) -> impl Iterator<Item = usize> + '_ {
-        self.plan.bodies.iter().flat_map(|body| match body.motion {
-            LoopMotion::Fixed | LoopMotion::Base => 0..0,
-            LoopMotion::Turn(position) | LoopMotion::Slide(position) => position.q..position.q + 1,
-            LoopMotion::Planar(q) => q..q + 3,
-            LoopMotion::Ball(q) => q..q + 4,
-            LoopMotion::Floating(q) => q..q + 7,
-        })
+    /// Dependent coordinates of the mechanism from which the kernel is compiled.
+    fn dependent_coordinates(&self, mechanism: &Mechanism) -> impl Iterator<Item = usize> {
+        let bodies = self.plan.bodies.iter().zip(&mechanism.bodies);
+        let velocities = bodies.flat_map(|(own, body)| own.velocities.iter().zip(&body.velocities));
+        let is_dependent = |own: &LoopVelocity| own.column < self.plan.layout.count;
+        velocities.filter_map(move |(own, velocity)| velocity.coordinate.filter(|_| is_dependent(own)))
     }
 
     fn groups<'a>(
