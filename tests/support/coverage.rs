@@ -2,7 +2,7 @@
 
 use nalgebra::Vector3;
 use percuss_dynamics::{
-    Base, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, System,
+    Base, Batch, Conditions, Configuration, Contact, Direction, EffectiveMass, Frame, Pose, System,
 };
 use percuss_formats::{DEFAULT_MAX_SIZE, LoadOptions, Source, load};
 use percuss_mechanism::{JointKind, LinkId, Mechanism};
@@ -214,17 +214,20 @@ pub fn coverage(mechanism: &Arc<Mechanism>, conditions: &Conditions, other: Othe
     coverage_of(&Subject { mechanism, conditions: conditions.clone(), start: None }, other)
 }
 
-/// Coverage of a subject, with random contacts.
-pub fn coverage_of(subject: &Subject, other: OtherSide) -> Coverage {
+/// Calls `visit` with a batch of each of some random contacts of a subject, the contact, and poses.
+pub fn for_each_contact(
+    subject: &Subject,
+    other: OtherSide,
+    mut visit: impl FnMut(&mut Batch, &Contact, &[Pose]),
+) {
     let Subject { mechanism, conditions, start } = subject;
     let mut rng = StdRng::seed_from_u64(1);
-    let mut counts = Coverage::default();
-    let Ok(system) = System::new(Arc::clone(mechanism), conditions) else { return counts };
+    let Ok(system) = System::new(Arc::clone(mechanism), conditions) else { return };
     let start = match start {
         Some(positions) => Configuration::from_positions(mechanism, positions),
         None => Ok(system.configuration()),
     };
-    let Ok(Ok(pose)) = start.map(|start| system.pose(&start)) else { return counts };
+    let Ok(Ok(pose)) = start.map(|start| system.pose(&start)) else { return };
     let links: Vec<LinkId> = mechanism.link_ids().collect();
     let size = mechanism.characteristic_length().max(0.1);
     for _ in 0..CONTACTS {
@@ -249,15 +252,24 @@ pub fn coverage_of(subject: &Subject, other: OtherSide) -> Coverage {
             };
         }
         let rows = poses(&mut rng, &system, &pose);
-        let Ok(mut batch) = pose.assembly().batch(&contact) else { continue };
-        for pose in rows {
+        if let Ok(mut batch) = pose.assembly().batch(&contact) {
+            visit(&mut batch, &contact, &rows);
+        }
+    }
+}
+
+/// Coverage of a subject, with random contacts.
+pub fn coverage_of(subject: &Subject, other: OtherSide) -> Coverage {
+    let mut counts = Coverage::default();
+    for_each_contact(subject, other, |batch, contact, poses| {
+        for pose in poses {
             let Ok(answer) = batch.effective_mass(pose.positions()) else { continue };
             let Some(EffectiveMass::Finite(expected)) = answer.mass else { continue };
             counts.regular += 1;
             match batch.kernel_mass(pose.positions()) {
                 Ok(Some((mass, error))) => {
                     counts.by_kernel += 1;
-                    counts.wrong += usize::from(!agrees(&pose, &contact, mass, error));
+                    counts.wrong += usize::from(!agrees(pose, contact, mass, error));
                 }
                 _ if !batch.has_lanes() => counts.unsupported += 1,
                 _ => {
@@ -266,7 +278,7 @@ pub fn coverage_of(subject: &Subject, other: OtherSide) -> Coverage {
                 }
             }
         }
-    }
+    });
     counts.mechanisms = usize::from(counts.regular > 0);
     counts
 }

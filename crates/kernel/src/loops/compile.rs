@@ -31,7 +31,7 @@ impl LoopPlan {
         let Linkage {
             mechanism, blocks, rank, lengths, shortest_length, depth, redundancy_threshold, ..
         } = linkage;
-        let numbers = column_numbers(mechanism);
+        let numbers = column_numbers(mechanism, blocks.is_empty());
         let (columns, bodies) = (numbers.iter().flatten().count(), mechanism.bodies.len());
         if columns > LINKAGE_COORDINATES
             || bodies > LINKAGE_COORDINATES
@@ -344,14 +344,19 @@ fn best_pivot(
         .map(|(r, c, _)| (r, c))
 }
 
-/// Column of each coordinate; `None` for coordinates of joints between a massless base and the first body with mass.
-fn column_numbers(mechanism: &Mechanism) -> Vec<Option<usize>> {
+/// Column of each coordinate; `None` for coordinates of joints between a massless base and the first body with mass. The energy of a tree
+/// is eliminated from the tips on: bodies outside the contact path then have no speed in the elimination, and add no rounding.
+fn column_numbers(mechanism: &Mechanism, is_tree: bool) -> Vec<Option<usize>> {
     let mut numbers = vec![None; mechanism.coordinates];
     let bodies = mechanism.bodies.iter().filter(|body| !body.floats);
     for coordinate in bodies.flat_map(|body| &body.velocities).filter_map(|velocity| velocity.coordinate) {
         numbers[coordinate] = Some(0);
     }
-    numbers.iter_mut().flatten().enumerate().for_each(|(column, number)| *number = column);
+    let number_all = |(column, number): (usize, &mut usize)| *number = column;
+    match is_tree {
+        true => numbers.iter_mut().rev().flatten().enumerate().for_each(number_all),
+        false => numbers.iter_mut().flatten().enumerate().for_each(number_all),
+    }
     numbers
 }
 

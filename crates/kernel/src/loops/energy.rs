@@ -130,7 +130,8 @@ pub(super) fn response_after_elimination<T: Lanes>(
     let accepted = answer.response * T::from_f64(QUICK_ERROR / f64::EPSILON);
     (answer.error - accepted).store(&mut excess);
     let is_clear = excess.map(|excess| excess <= 0.0);
-    if is_clear[..T::WIDTH].contains(&false) {
+    // Without dependent coordinates both bounds are the same.
+    if plan.layout.count > 0 && is_clear[..T::WIDTH].contains(&false) {
         fill_rate_errors(plan, least, scratch);
         // The Newton step δ would close the loops. The change of an entry is estimated by ‖δ‖ or the
         // largest |δ| for all coordinates up to both ends of a closure, whichever is smaller.
