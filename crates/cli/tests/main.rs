@@ -65,6 +65,7 @@ mod suspensions {
     mod round_trips;
     mod several_contacts;
     mod target_search;
+    mod unequal_sides;
 }
 
 /// Files that are written or replaced.

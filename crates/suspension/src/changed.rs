@@ -27,7 +27,7 @@ pub struct ChangedFile {
 ///
 /// # Errors
 /// The reason, in words: a sheet that cannot be read; a point without a number of its own in the file (a wheel centre from the half track, an
-/// axis from one point); two points that are one point of the file; a cell of a workbook with a formula or a text.
+/// axis from one point); two points that are one point of the file; a point that the file repeats with other digits; a cell of a workbook with a formula or a text.
 pub fn changed_file(
     source: &Source,
     options: &ImportOptions,
@@ -40,39 +40,53 @@ pub fn changed_file(
         Some(crate::reading::decode(source, &mut report).ok_or("the file is no text and no workbook")?.text)
     };
     let text = decoded.as_deref().unwrap_or_default();
-    let (written, axes, frame, worksheet) = if decoded.is_some() && crate::reading::is_json(source, text) {
+    let (written, axes, frame, worksheet, mirrored) = if decoded.is_some()
+        && crate::reading::is_json(source, text)
+    {
         files.push((source.name.clone(), text.to_owned()));
         let clean = crate::text::blank_comments(text).map_err(|defect| defect.message.to_owned())?;
         let frame = Frame { unit: options.unit.unwrap_or_default(), axes: options.axes.unwrap_or_default() };
         let mut reader = Reader::new(&clean, frame, &[]);
         crate::read_chrono(&mut reader, source, &ImportOptions { moves: Vec::new(), ..options.clone() });
-        (reader.written, frame.axes, frame, None)
+        (reader.written, frame.axes, frame, None, Vec::new())
     } else {
         let read = sheet::read(source, text, options, &mut findings, &mut files);
         let read = read.ok_or("the file is no sheet and no table that can be read")?;
-        (read.written.0, read.written.1, read.frame, read.worksheet)
+        let mirrored = read.mirrored.iter().map(|name| (*name, read.points_side.other_word())).collect();
+        (read.written.0, read.written.1, read.frame, read.worksheet, mirrored)
     };
+    // The mirror image that the file has too moves with its point.
+    let mirror_image = |(name, by): &(String, [f64; 3])| {
+        let (_, word) = mirrored.iter().find(|(known, _)| known == name)?;
+        let by = frame.axes.to_iso(Vector3::from(*by));
+        let by = frame.axes.from_iso(Vector3::new(by.x, 0.0 - by.y, by.z));
+        Some((format!("{word}.{name}"), by.into()))
+    };
+    let moves: Vec<(String, [f64; 3])> =
+        moves.iter().flat_map(|moved| [Some(moved.clone()), mirror_image(moved)]).flatten().collect();
     // Place, old and new number.
     let mut changes: Vec<(Place, f64, f64)> = Vec::new();
     let mut changed_index = None;
     for (name, by) in moves.iter().filter(|(_, by)| *by != [0.0; 3]) {
-        let point = written.iter().find(|point| point.name == name);
+        let point = written.iter().find(|point| point.name == *name);
         let point = point.ok_or_else(|| format!("{name} has no coordinates of its own in the file"))?;
         let shift_of =
             |name: &str| moves.iter().find(|(known, _)| known == name).map_or([0.0; 3], |(_, by)| *by);
         let is_same =
             |other: &&WrittenPoint| other.numbers[0].2 == point.numbers[0].2 && other.file == point.file;
-        if let Some(twin) = written.iter().filter(is_same).find(|other| shift_of(other.name) != *by) {
+        if let Some(twin) = written.iter().filter(is_same).find(|other| shift_of(&other.name) != *by) {
             return Err(format!("{name} and {} are one point of the file: move both by the same", twin.name));
         }
         if *changed_index.get_or_insert(point.file) != point.file {
             return Err("the moved points are in several files".to_owned());
         }
         let by = axes.from_iso(frame.axes.to_iso(Vector3::from(*by)));
-        for (k, (number, unit, place)) in point.numbers.iter().enumerate().filter(|(k, _)| by[*k] != 0.0) {
-            let change = (place.clone(), *number, rounded(number + by[k] / unit));
-            if !changes.contains(&change) {
-                changes.push(change);
+        for (k, (number, unit, places)) in point.numbers.iter().enumerate().filter(|(k, _)| by[*k] != 0.0) {
+            for place in places {
+                let change = (place.clone(), *number, rounded(number + by[k] / unit));
+                if !changes.contains(&change) {
+                    changes.push(change);
+                }
             }
         }
     }

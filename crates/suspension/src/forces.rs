@@ -12,6 +12,24 @@ pub struct SpringForce {
     pub preload: Option<f64>,
 }
 
+/// Torsion bar on the hinge of a link on the chassis.
+#[derive(Clone, Debug, PartialEq)]
+pub struct TorsionBar {
+    /// Link that twists the bar.
+    pub link: String,
+    /// Rate k, N·m/rad.
+    pub rate: f64,
+    /// Moment at the design position, N·m; positive: the bar is twisted as by a wheel that moves up. `None` if the sheet does not state it.
+    pub preload: Option<f64>,
+}
+
+impl TorsionBar {
+    /// Name of the hinge, with the ending of its side.
+    pub fn joint(&self, side: &str) -> String {
+        format!("{}_hinge{side}", self.link)
+    }
+}
+
 /// Vertical force of a tyre on the wheel centre. It never pulls: the tyre leaves the road.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TyreForce {
@@ -34,6 +52,8 @@ pub struct ForceElements {
     pub stops: Vec<(String, ForceCurve)>,
     /// Tyre.
     pub tyre: Option<TyreForce>,
+    /// Torsion bar.
+    pub torsion_bar: Option<TorsionBar>,
     /// Torsional stiffness of the anti-roll bar between its two arms, N·m/rad.
     pub anti_roll_bar: Option<f64>,
 }

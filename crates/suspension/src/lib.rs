@@ -33,16 +33,16 @@ use chrono::{ChronoTemplate, Reader, Section};
 use corner::design::THIRD_SPRING;
 pub use corner::drawing::{Line, WheelCircle};
 use corner::plausibility::masses_in_grams;
-use corner::{Annotations, Body, CHASSIS, Corner, RACK};
+use corner::{Annotations, Body, Built, CHASSIS, Corner, RACK};
 use findings::{Findings, Spot};
-pub use forces::{ForceElements, SpringForce, TyreForce};
+pub use forces::{ForceElements, SpringForce, TorsionBar, TyreForce};
 pub use options::{ImportOptions, Rack, Side, Wheel};
 use percuss_formats::reading::LONGEST_NAME;
 use percuss_formats::reading::{Place, Report, cut, quoted};
 use percuss_formats::{Comments, Diagnostic, LoadError, Source};
 use percuss_mechanism::{
-    Accept, Built, BushDescription, ContactDescription, ContactKind, ContactNormal, Inertial,
-    JointDescription, JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, Subject,
+    Accept, BushDescription, ContactDescription, ContactKind, ContactNormal, Inertial, JointDescription,
+    JointKind, LinkDescription, Mechanism, MechanismBuilder, Problem, Severity, SpringDamper, Subject,
 };
 use percuss_spatial::{Matrix3, Vector3};
 pub use percuss_units::LengthUnit;
@@ -130,16 +130,16 @@ fn import_sheet(
             rack_stiffness: sheet.rack_stiffness,
             wheel: sheet.wheel,
             places: FilePlaces { frame: sheet.frame, is_right: sheet.points_side == Side::Right },
-            points: sheet.design.points.keys().map(|name| (*name).to_owned()).collect(),
+            points: sheet.point_names(),
             chassis: sheet.chassis.clone(),
             coordinates: coordinates(&sheet),
-            steering_axis: steering_axis(&sheet),
+            steering_axes: steering_axes(&sheet),
             axle: sheet.template.axle,
             middle: sheet.template.middle,
             forces: sheet.forces.clone(),
         };
         let (mechanism, comments, mut understood) =
-            build_mechanism(&mut findings, built.left, built.middle, &facts, source, options)?;
+            build_mechanism(&mut findings, built, &facts, source, options)?;
         understood.missing_masses = sheet.missing_masses;
         understood.rack_travel = sheet.rack_travel;
         Some((mechanism, comments, understood))
@@ -163,13 +163,23 @@ fn coordinates(sheet: &sheet::Sheet) -> Vec<(String, [f64; 3])> {
         let at = Vector3::new(at.x, if is_mirrored { 0.0 - at.y } else { at.y }, at.z);
         ((*key).to_owned(), sheet.frame.axes.from_iso(at).into())
     };
-    sheet.design.points.iter().map(given).collect()
+    let word = sheet.points_side.other_word();
+    let of_other = |(key, (at, _)): (&&str, &(Vector3<f64>, Spot))| {
+        let y = if sheet.points_side == Side::Right { at.y } else { 0.0 - at.y };
+        (format!("{word}.{key}"), sheet.frame.axes.from_iso(Vector3::new(at.x, y, at.z)).into())
+    };
+    sheet.design.points.iter().map(given).chain(sheet.unequal_points().iter().map(of_other)).collect()
 }
 
-/// Steering axis of a sheet: two points of the left side, m, each with its link.
-fn steering_axis(sheet: &sheet::Sheet) -> Vec<(String, [f64; 3])> {
-    let point = |(link, key): &(String, String)| Some((link.clone(), sheet.design.point(key)?.into()));
-    sheet.template.steering_axis.iter().filter_map(point).collect()
+/// Two points of the steering axis of the left and of the right side of a sheet, m, as points of the left side, each with its link.
+fn steering_axes(sheet: &sheet::Sheet) -> [Vec<(String, [f64; 3])>; 2] {
+    let own = |key: &str| sheet.design.point(key);
+    let other = |key: &str| sheet.other_points.get(key).map(|(at, _)| *at).or_else(|| own(key));
+    let axis = |point: &dyn Fn(&str) -> Option<Vector3<f64>>| {
+        let of_link = |(link, key): &(String, String)| Some((link.clone(), point(key)?.into()));
+        sheet.template.steering_axis.iter().filter_map(of_link).collect()
+    };
+    if sheet.points_side == Side::Right { [axis(&other), axis(&own)] } else { [axis(&own), axis(&other)] }
 }
 
 /// Imports a suspension in the JSON of Chrono::Vehicle.
@@ -215,8 +225,8 @@ struct SuspensionFacts<'d> {
     chassis: Option<Body>,
     /// Hardpoints, m, in the axes of the file.
     coordinates: Vec<(String, [f64; 3])>,
-    /// Two points of the steering axis of the left side, m, each with its link.
-    steering_axis: Vec<(String, [f64; 3])>,
+    /// Two points of the steering axis of the left side, m, each with its link, and of the mirror image of the right side.
+    steering_axes: [Vec<(String, [f64; 3])>; 2],
     axle: bool,
     /// True if the wheel is in the middle plane.
     middle: bool,
@@ -245,7 +255,8 @@ fn read_chrono(
     // `Output` controls only the output of Chrono.
     reader.warn_unread_keys(root, &["Output"]);
     reader.check_unit();
-    let known: Vec<&str> = reader.written.iter().map(|point| point.name).collect();
+    let names: Vec<String> = reader.written.iter().map(|point| point.name.clone()).collect();
+    let known: Vec<&str> = names.iter().map(String::as_str).collect();
     sheet::check_moves(&options.moves, reader.frame.unit, &known, reader);
     let corner = corner.filter(|_| !reader.has_errors())?;
     let side = options.side.unwrap_or_default();
@@ -267,42 +278,48 @@ fn read_chrono(
         points: Vec::new(),
         chassis: None,
         coordinates: reader.coordinates(),
-        steering_axis: Vec::new(),
+        steering_axes: Default::default(),
         axle: false,
         middle: false,
         forces: ForceElements::default(),
     };
-    build_mechanism(reader, corner, None, &facts, source, options)
+    build_mechanism(reader, Built { left: corner, middle: None, right: None }, &facts, source, options)
 }
 
-/// Builds the mechanism from the corner, with the comments and the summary.
+/// Builds the mechanism from the corners, with the comments and the summary.
 fn build_mechanism(
     findings: &mut Findings,
-    corner: Corner,
-    middle: Option<Corner>,
+    mut built: Built,
     facts: &SuspensionFacts<'_>,
     source: &Source,
     options: &ImportOptions,
 ) -> Option<(Mechanism, Comments, Understood)> {
-    corner.check(findings, facts.places);
-    if let Some(middle) = &middle {
+    let places = |is_right: bool| FilePlaces { is_right, ..facts.places };
+    built.left.check(findings, places(facts.places.is_right && built.right.is_none()));
+    if let Some(right) = &built.right {
+        right.check(findings, places(true));
+    }
+    let corner = &built.left;
+    if let Some(middle) = &built.middle {
         let track = corner.drawing.track();
         // Parts common to both sides are not mirrored: messages have the coordinates of the file.
-        let places = FilePlaces { is_right: false, ..facts.places };
-        middle.check_parts(track, &[], findings, places);
-        middle.drawing.check_short_links(findings, places);
+        middle.check_parts(track, &[], findings, places(false));
+        middle.drawing.check_short_links(findings, places(false));
     }
-    let in_grams = check_grams(&corner, middle.as_ref(), options.accept, findings);
+    let in_grams = check_grams(corner, built.middle.as_ref(), options.accept, findings);
     if findings.has_errors() {
         return None;
     }
     let drawing = corner.drawing.clone();
-    let middle_drawing = middle.as_ref().map(|m| m.drawing.clone());
-    let (builder, annotations) = assemble(findings, corner, middle, facts);
+    let right_drawing = built.right.as_ref().map(|right| right.drawing.clone());
+    let middle_drawing = built.middle.as_ref().map(|m| m.drawing.clone());
+    let is_unequal = built.right.is_some();
+    set_torsion_bar(findings, &mut built, facts, options);
+    let (builder, annotations) = assemble(findings, built, facts);
     let mut comments = annotations.comments;
-    comments.heading = heading(facts, source);
+    comments.heading = heading(facts, is_unequal, source);
     let (mechanism, problems) = match builder.accept(options.accept).build() {
-        Ok(Built { mechanism, mut findings }) => {
+        Ok(percuss_mechanism::Built { mechanism, mut findings }) => {
             findings.extend(mechanism.implausible_inertias(options.accept));
             (Some(mechanism), findings)
         }
@@ -345,12 +362,48 @@ fn build_mechanism(
         wheel: facts.wheel,
         points: facts.points.clone(),
         coordinates: facts.coordinates.clone(),
-        steering_axis: facts.steering_axis.clone(),
+        steering_axis: facts.steering_axes[0].clone(),
+        right_steering_axis: facts.steering_axes[1].clone(),
         axle: facts.axle,
         forces: facts.forces.clone(),
-        ..Understood::of(&mechanism, &drawing, middle_drawing.as_ref(), facts.side)
+        ..Understood::of(
+            &mechanism,
+            [&drawing, right_drawing.as_ref().unwrap_or(&drawing)],
+            middle_drawing.as_ref(),
+            facts.side,
+        )
     };
     Some((mechanism, comments, understood))
+}
+
+/// Sets the torsion bar as the spring of its hinge. The bar is without moment at the position q₀ = −s T/k of the hinge, with the moment T at the
+/// design position, the rate k, and the sign s of the rotation of the hinge as the wheels move up.
+fn set_torsion_bar(
+    findings: &mut Findings,
+    built: &mut Built,
+    facts: &SuspensionFacts<'_>,
+    options: &ImportOptions,
+) {
+    let Some(bar) = &facts.forces.torsion_bar else { return };
+    let set = |built: &mut Built, reference: f64| {
+        let spring = SpringDamper { stiffness: bar.rate, damping: 0.0, reference };
+        let corners = [Some(&mut built.left), built.right.as_mut()];
+        corners.into_iter().flatten().for_each(|corner| corner.set_spring(&bar.joint(""), spring));
+    };
+    set(built, 0.0);
+    let Some(preload) = bar.preload.filter(|moment| *moment != 0.0) else { return };
+    let (builder, _) = assemble(&mut Findings::default(), built.clone(), facts);
+    // The errors of the builder are reported with the model.
+    let Ok(without) = builder.accept(options.accept).build() else { return };
+    let origin = Understood { forces: facts.forces.clone(), axle: facts.axle, ..Understood::default() };
+    match kinematics::torsion_sign(without.mechanism, &origin) {
+        Some(sign) => set(built, -sign * preload / bar.rate),
+        None => {
+            let message = "its hinge does not turn as the wheel moves up: the direction of its moment is not determined";
+            let spot = Spot { path: Some("torsion_bar.preload".to_owned()), ..Spot::default() };
+            findings.error("degenerate-geometry", &spot, message.to_owned());
+        }
+    }
 }
 
 /// True if a finding about an inertia has the cause of an earlier one: masses in grams, or the radius of gyration of the part.
@@ -422,8 +475,7 @@ fn warn_no_wheel(findings: &mut Findings, why: &str) {
 /// Combines the chassis, the rack and the sides.
 fn assemble(
     findings: &mut Findings,
-    corner: Corner,
-    middle: Option<Corner>,
+    Built { left: corner, middle, right }: Built,
     facts: &SuspensionFacts<'_>,
 ) -> (MechanismBuilder, Annotations) {
     let mut annotations = Annotations::default();
@@ -463,7 +515,7 @@ fn assemble(
         Side::Left => corner.add_to("", builder, &mut annotations),
         Side::Right => corner.mirrored().add_to("", builder, &mut annotations),
         Side::Both => {
-            let right = corner.mirrored();
+            let right = right.as_ref().unwrap_or(&corner).mirrored();
             let has_third_spring = corner.has_link(THIRD_SPRING.1);
             let builder = corner.add_to("_left", builder, &mut annotations);
             let builder = right.add_to("_right", builder, &mut annotations);
@@ -526,11 +578,12 @@ fn add_rack(
 }
 
 /// Comment lines at the top of the URDF.
-fn heading(facts: &SuspensionFacts<'_>, source: &Source) -> Vec<String> {
+fn heading(facts: &SuspensionFacts<'_>, is_unequal: bool, source: &Source) -> Vec<String> {
     let side = match facts.side {
         Side::Left if facts.middle => "wheel in the middle plane",
         Side::Left => "left side",
         Side::Right => "right side, the mirror image of the left one",
+        Side::Both if is_unequal => "both sides, each with points of its own",
         Side::Both => "both sides, the right one the mirror image of the left one",
     };
     let wheel = match facts.wheel {

@@ -100,6 +100,10 @@ pub(crate) const MAX_TOE: f64 = 5.0 * RADIANS_PER_DEGREE;
 const RADIANS_PER_DEGREE: f64 = std::f64::consts::PI / 180.0;
 /// Usual rates of springs, N/m: from a light motorcycle or kart to the leaf springs of trucks and the heave springs of racing cars.
 pub(crate) const SPRING_RATES: RangeInclusive<f64> = 1e3..=2e6;
+/// Difference of mirror images, m: the rounding of formulas of a workbook. No hardpoint is measured to a nanometre.
+pub(crate) const MIRROR_TOLERANCE: f64 = 1e-9;
+/// Usual rates of torsion bars, N·m/rad: from the bar on the rocker of a light racing car to that on the arm of a truck.
+pub(crate) const TORSION_RATES: RangeInclusive<f64> = 50.0..=2e5;
 /// Usual last speeds of the force curve of a damper, m/s.
 pub(crate) const DAMPER_SPEEDS: RangeInclusive<f64> = 0.05..=20.0;
 /// Usual vertical stiffnesses of tyres, N/m: from a bicycle to a truck with dual tyres.

@@ -16,6 +16,13 @@ pub enum Side {
     Both,
 }
 
+impl Side {
+    /// Word of the side opposite to that of the points.
+    pub(super) fn other_word(self) -> &'static str {
+        if self == Side::Right { "left" } else { "right" }
+    }
+}
+
 /// Wheel with the tyre. The centre of the wheel is the centre of the spindle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Wheel {

@@ -22,7 +22,7 @@ pub struct Understood {
     pub side: Side,
     /// Wheel.
     pub wheel: Option<Wheel>,
-    /// Distance between the centres of both wheels: twice the distance of one from the middle plane. `None` for a wheel in
+    /// Distance between the centres of both wheels across the vehicle: twice the distance of one from the middle plane. `None` for a wheel in
     /// the middle plane.
     pub track: Option<f64>,
     /// Lengths of the links of one side and of the shared links: from the hinge axis to the outer point for a hinged
@@ -39,6 +39,8 @@ pub struct Understood {
     /// Two points of the steering axis of the left side as built, each with its link; empty if the template has no axis that
     /// is fixed to two points.
     pub steering_axis: Vec<(String, [f64; 3])>,
+    /// The same of the right side, mirrored to the left.
+    pub right_steering_axis: Vec<(String, [f64; 3])>,
     /// True if both wheels are on one rigid axle.
     pub axle: bool,
     /// Forces of springs and stops.
@@ -56,10 +58,17 @@ pub struct Understood {
 
 impl Understood {
     /// Creates the summary of a mechanism and its drawing.
-    pub(super) fn of(mechanism: &Mechanism, left: &Drawing, middle: Option<&Drawing>, side: Side) -> Self {
+    pub(super) fn of(
+        mechanism: &Mechanism,
+        [left, right]: [&Drawing; 2],
+        middle: Option<&Drawing>,
+        side: Side,
+    ) -> Self {
         let lengths = left.arms.iter().chain(middle.iter().flat_map(|m| &m.arms));
         let massive = mechanism.links().iter().filter_map(|link| Some((link, link.inertial()?)));
-        let right = left.mirrored();
+        let half_track = |side: &Drawing| side.wheels.first().map(|wheel| wheel.centre[1].abs());
+        let track = half_track(left).zip(half_track(right)).map(|(left, right)| left + right);
+        let right = right.mirrored();
         let sides: &[&Drawing] = match side {
             Side::Left => &[left],
             Side::Right => &[&right],
@@ -67,7 +76,7 @@ impl Understood {
         };
         let drawings: Vec<&Drawing> = sides.iter().copied().chain(middle).collect();
         Self {
-            track: left.wheels.first().map(|wheel| 2.0 * wheel.centre[1].abs()).filter(|track| *track > 0.0),
+            track: track.filter(|track| *track > 0.0),
             lengths: lengths.map(|arm| (arm.name.clone(), arm.length)).collect(),
             masses: massive.map(|(link, inertial)| (link.name().to_owned(), inertial.mass)).collect(),
             total_mass: mechanism.total_mass(),

@@ -11,6 +11,7 @@ mod refusals;
 mod sheet_refusals;
 mod sheets;
 mod units;
+mod write_back;
 
 use mechanics::{place, poses, residuals, respond};
 use models::{all, changed, double_wishbone, file, hmmwv};

@@ -105,7 +105,7 @@ pub const KINEMATIC_AXES: &str = "axes of the vehicle, ISO 8855: x forward, y le
 /// Starts of the columns of kinematics, separated by blanks.
 const KINEMATIC_COLUMNS: &str = "wheel_travel_ camber_ toe_ caster_ kingpin_inclination_ scrub_radius_ mechanical_trail_ \
     steering_ratio_ half_track_change_ forward_displacement_ instant_centre_ side_view_angle_ anti_ \
-    motion_ratio_ ratio_gradient_ leverage_ratio_ wheel_centre_ contact_patch_ force_ wheel_rate_ \
+    motion_ratio_ ratio_gradient_ leverage_ratio_ wheel_centre_ contact_patch_ force_ moment_ wheel_rate_ \
     unsprung_mass_ body_frequency_ wheel_hop_frequency_ roll_centre_ compliance_ loads problem";
 
 /// True for the first line of a table of kinematics: the travel, if there are several rows, and quantities.

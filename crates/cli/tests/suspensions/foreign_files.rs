@@ -1,19 +1,9 @@
 //! Files of Suspension Explorer and rFactor have the values of the sheets with the same points and masses.
 
-use crate::support::{Scratch, done};
+use crate::support::{Random, Scratch, done};
 use serde_json::Value;
 use std::collections::BTreeMap;
 use std::fmt::Write;
-
-/// Pseudo-random numbers from −1 to 1.
-struct Random(u64);
-
-impl Random {
-    fn next(&mut self) -> f64 {
-        self.0 = self.0.wrapping_mul(6364136223846793005).wrapping_add(1442695040888963407);
-        (self.0 >> 33) as f64 / (1u64 << 30) as f64 - 1.0
-    }
-}
 
 /// Points of a template, mm, each coordinate displaced by at most 5 mm.
 fn points(folder: &Scratch, template: &str, random: &mut Random) -> BTreeMap<String, [f64; 3]> {

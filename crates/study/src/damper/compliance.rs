@@ -4,6 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::sheet_forces::{
     ElementForce, SheetElement, SheetTyre, joint_springs, sheet_bars, sheet_elements, sheet_tyres,
+    torsion_moment,
 };
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::evaluation::status::Status;
@@ -125,7 +126,8 @@ fn linear_elements(evaluated: &EvaluatedQuestion) -> Vec<LinearElement> {
     let at_joint = |(joint, spring): (JointId, SpringDamper)| {
         let name = model.mechanism.joint(joint).name();
         let element = LinearElement::spring(name, ElementMotion::Twist(joint, None), spring.stiffness);
-        LinearElement { damping: spring.damping, ..element }
+        let force = torsion_moment(model, &evaluated.pose, joint, &spring);
+        LinearElement { damping: spring.damping, force, ..element }
     };
     let elements = sheet_elements(model).into_iter().map(linear);
     let elements = elements.chain(sheet_tyres(model).into_iter().map(tyre)).chain(bar);

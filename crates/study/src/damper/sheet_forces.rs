@@ -16,7 +16,7 @@ use percuss_dynamics::{PointVelocity, Pose};
 use percuss_mechanism::{ContactKind, ContactNormal, JointId, LinkId, SpringDamper};
 use percuss_spatial::Vector3;
 use percuss_suspension::kinematics::AntiRollBar;
-use percuss_suspension::{SpringForce, TyreForce};
+use percuss_suspension::{SpringForce, TorsionBar, TyreForce};
 use std::sync::Arc;
 
 /// Spring or damper of a sheet: named contact, and ends (link, and point in its axes, m).
@@ -93,6 +93,20 @@ pub(crate) fn sheet_tyres(model: &Model) -> Vec<SheetTyre<'_>> {
 pub(crate) fn sheet_bars(model: &Model) -> Option<AntiRollBar> {
     let stiffness = model.origin.sheet.as_deref()?.understood.forces.anti_roll_bar?;
     AntiRollBar::of_suspension(&model.mechanism, stiffness)
+}
+
+/// Torsion bar of the suspension sheet of a model on this joint.
+pub(crate) fn torsion_bar_of(model: &Model, joint: JointId) -> Option<&TorsionBar> {
+    let bar = model.origin.sheet.as_deref()?.understood.forces.torsion_bar.as_ref()?;
+    (section(model.mechanism.joint(joint).name()) == bar.joint("")).then_some(bar)
+}
+
+/// Moment of the spring of a joint at a pose (N·m): of a torsion bar of a sheet with a stated moment; 0 for others.
+pub(crate) fn torsion_moment(model: &Model, pose: &Pose, joint: JointId, spring: &SpringDamper) -> f64 {
+    match torsion_bar_of(model, joint).and_then(|bar| bar.preload) {
+        Some(_) => spring.stiffness * (spring.reference - pose.joint(joint)[0]),
+        None => 0.0,
+    }
 }
 
 /// Springs and dampers of the joints of a model that move at a pose.
@@ -178,6 +192,17 @@ fn spring_balance(evaluated: &EvaluatedQuestion, side: &str, rise: f64) -> Optio
             let power = element.whole_force(evaluated)? * element.length_rate(evaluated)?;
             sum = Some(sum.unwrap_or(0.0) - power / rise);
         }
+    }
+    let (model, pose) = (evaluated.prepared.model, &evaluated.pose);
+    let bar = joint_springs(pose).find_map(|(joint, spring)| {
+        let is_of_side = model.mechanism.joint(joint).name().ends_with(side);
+        Some((joint, spring, torsion_bar_of(model, joint).filter(|_| is_of_side)?))
+    });
+    if let Some((joint, spring, bar)) = bar {
+        bar.preload?;
+        let rates = &evaluated.result.mechanism_response().joint_velocities;
+        let rate = rates.get(joint.index())?.first()?;
+        sum = Some(sum.unwrap_or(0.0) - torsion_moment(model, pose, joint, &spring) * rate / rise);
     }
     sum
 }

@@ -54,7 +54,7 @@ pub(in super::super) fn read_corner<'t>(
         corner_reader.apply_plane_rule(rule);
     }
     let CornerReader { reader, design, .. } = corner_reader;
-    if reader.has_errors() { None } else { Some(build(&design, spindle, reader)?.left) }
+    if reader.has_errors() { None } else { Some(build(&design, spindle, None, reader)?.left) }
 }
 
 /// Reads the sections of a file into a design.

@@ -307,10 +307,10 @@ impl<'t> Reader<'t> {
             let unit = self.frame.unit.to_metres(1.0);
             let number = |value: &'t RawValue| {
                 let (text, begin) = (value.get(), self.offset(value));
-                (text.parse().unwrap_or_default(), unit, Place::Text(begin..begin + text.len()))
+                (text.parse().unwrap_or_default(), unit, vec![Place::Text(begin..begin + text.len())])
             };
             let numbers = [x, y, z].map(number);
-            self.written.push(WrittenPoint { name, file: 0, numbers });
+            self.written.push(WrittenPoint { name: name.to_owned(), file: 0, numbers });
         }
         let by = self.moves.iter().filter(|(known, _)| known == name).map(|(_, by)| Vector3::from(*by)).sum();
         at + self.frame.axes.to_iso(by)
@@ -319,7 +319,7 @@ impl<'t> Reader<'t> {
     /// Hardpoints with their displacements, m, in the axes of the file.
     pub fn coordinates(&self) -> Vec<(String, [f64; 3])> {
         let of = |point: &WrittenPoint| {
-            let moves = self.moves.iter().filter(|(known, _)| known == point.name);
+            let moves = self.moves.iter().filter(|(known, _)| *known == point.name);
             let by: Vector3<f64> = moves.map(|(_, by)| Vector3::from(*by)).sum();
             let at = |k: usize| point.numbers[k].0 * point.numbers[k].1 + by[k];
             (point.name.to_owned(), [0, 1, 2].map(at))

@@ -3,7 +3,7 @@
 use super::design::{Design, GivenBody, ON_DAMPER, Part, SEATS, STOPS, Stop, THIRD_SPRING, is_central};
 use super::frames;
 use super::spindle::Spindle;
-use super::{Body, CHASSIS, Corner, GROUND, RACK};
+use super::{Body, Built, CHASSIS, Corner, GROUND, RACK};
 use crate::findings::{Findings, Spot};
 use crate::limits::STOP_GAPS;
 use crate::units::short;
@@ -12,18 +12,20 @@ use percuss_mechanism::{ClosureKind, ContactKind, ContactNormal, JointKind, near
 use percuss_spatial::{Matrix3, Vector3};
 use percuss_units::LengthUnit;
 
-/// Left side, and the links common to both sides of an axle.
-pub(crate) struct Built {
-    pub left: Corner,
-    pub middle: Option<Corner>,
-}
-
 /// Name of the link common to both sides of an axle.
 const AXLE: &str = "axle";
 
-/// Builds a corner from a design. Points that determine no axis or line are errors; the result is then `None`.
-pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings) -> Option<Built> {
+/// Builds a corner from a design; `None` after an error. `beside`: corner of the other side, whose frames of shared links are used.
+pub(crate) fn build(
+    design: &Design,
+    spindle: &Spindle,
+    beside: Option<&Corner>,
+    findings: &mut Findings,
+) -> Option<Built> {
     let mut left = Corner::new();
+    if let Some(other) = beside {
+        left.share_frames(other);
+    }
     let mut middle = design.axle.then(Corner::new);
     if let (Some(middle), Some(wheel)) = (&mut middle, design.point("wheel_centre")) {
         let guided = design.parts.iter().find_map(|part| match part {
@@ -112,7 +114,7 @@ pub(crate) fn build(design: &Design, spindle: &Spindle, findings: &mut Findings)
         left.set_spot(seat, design.spot(seat));
         left.drawing.add_line(section, [at, Vector3::new(at.x, 0.0, at.z)]);
     }
-    (!findings.has_errors()).then_some(Built { left, middle })
+    (!findings.has_errors()).then_some(Built { left, middle, right: None })
 }
 
 /// Warns about an implausible gap (m) of a stop. `unit`: unit of the file, for messages; `distance`: distance of its two points along the

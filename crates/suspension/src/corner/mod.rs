@@ -14,7 +14,7 @@ use drawing::Drawing;
 use percuss_formats::Comments;
 use percuss_mechanism::{
     BushDescription, ClosureDescription, ClosureKind, ContactDescription, ContactKind, ContactNormal,
-    Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder,
+    Inertial, JointDescription, JointKind, LinkDescription, MechanismBuilder, SpringDamper,
 };
 use percuss_spatial::{Matrix3, Vector3};
 use std::collections::HashMap;
@@ -46,6 +46,15 @@ pub(crate) struct Body {
     pub spot: Spot,
     /// Position of the centre of mass in the file.
     pub com_spot: Spot,
+}
+
+/// Left side, the links common to both sides of an axle, and a right side that is no mirror image.
+#[derive(Clone)]
+pub(crate) struct Built {
+    pub left: Corner,
+    pub middle: Option<Corner>,
+    /// Right side with points of its own, as its mirror image on the left.
+    pub right: Option<Corner>,
 }
 
 /// Links, joints and closures of the left side; [`mirrored`](Self::mirrored) creates the right side.
@@ -92,16 +101,29 @@ impl Corner {
         }
     }
 
+    /// Sets the spring of a joint.
+    pub fn set_spring(&mut self, joint: &str, spring: SpringDamper) {
+        for joint in self.joints.iter_mut().filter(|known| known.name == joint) {
+            joint.spring = Some(spring);
+        }
+    }
+
     /// Axis of a joint, in the vehicle's axes.
     fn joint_axis(&self, name: &str) -> Option<Vector3<f64>> {
         self.joints.iter().find(|joint| joint.name == name).map(|joint| joint.axis)
     }
 
-    /// Marks a link as common to both sides and sets its frame. The link itself is added by this corner or by
+    /// Sets the frames of the links common to both sides to those of the other side.
+    pub fn share_frames(&mut self, other: &Corner) {
+        let of_other = other.origins.iter().filter(|(link, _)| other.is_shared(link));
+        self.origins.extend(of_other.map(|(link, at)| (link.clone(), *at)));
+    }
+
+    /// Marks a link as common to both sides and sets its frame, unless the other side has set it. The link itself is added by this corner or by
     /// another.
     pub fn mark_shared(&mut self, link: &'static str, at: Vector3<f64>) {
         self.shared.push(link);
-        self.origins.insert(link.to_owned(), at);
+        self.origins.entry(link.to_owned()).or_insert(at);
     }
 
     /// True for a link common to both sides.
@@ -132,7 +154,7 @@ impl Corner {
 
     /// Sets the rack frame to the midpoint between the inner ends of the two tie rods; `end` is one of them.
     pub fn set_rack_origin(&mut self, end: Vector3<f64>) {
-        self.origins.insert(RACK.to_owned(), Vector3::new(end.x, 0.0, end.z));
+        self.origins.entry(RACK.to_owned()).or_insert(Vector3::new(end.x, 0.0, end.z));
     }
 
     /// Origin of a link frame in the vehicle frame, m.

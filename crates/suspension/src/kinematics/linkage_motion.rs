@@ -15,7 +15,7 @@
 use crate::kinematics::wheel_points::RACK;
 use nalgebra::{DMatrix, DVector, Vector3};
 use percuss_dynamics::{DeterminedSystem, Pose};
-use percuss_mechanism::{ClosureKind, JointKind, LinkId, LoopFrame, Mechanism};
+use percuss_mechanism::{ClosureKind, JointId, JointKind, LinkId, LoopFrame, Mechanism};
 
 /// Point in the world, m, on a link; `None` is the ground.
 pub(crate) type LinkedPoint = (Option<LinkId>, Vector3<f64>);
@@ -349,6 +349,21 @@ impl LinkageMotion<'_> {
             let tangential = self.acceleration.linear[body] + self.acceleration.angular[body].cross(&arm);
             tangential + omega.cross(&omega.cross(&arm))
         })
+    }
+
+    /// First and second derivative of the angle of a turning joint: q̇ = a · ω, q̈ = a · α + (ω_P × a) · ω with the axis a, and ω and α of the child
+    /// relative to the parent P.
+    pub fn hinge_rates(&self, pose: &Pose, joint: JointId) -> [f64; 2] {
+        let joint = pose.mechanism().joint(joint);
+        let axis = pose.link(joint.child()).vector(joint.axis());
+        let difference = |motion: &BodyMotion| {
+            let of =
+                |link| self.linkage.body(Some(link)).map_or_else(Vector3::zeros, |body| motion.angular[body]);
+            of(joint.child()) - of(joint.parent())
+        };
+        let (omega, alpha) = (difference(&self.velocity), difference(&self.acceleration));
+        let turning = self.angular_velocity(joint.parent()).cross(&axis);
+        [axis.dot(&omega), axis.dot(&alpha) + turning.dot(&omega)]
     }
 
     /// First and second derivative of the distance of two points.

@@ -1,7 +1,8 @@
 //! Loads of the elastokinematics, and the anti-roll bar.
 
+use crate::kinematics::linkage_motion::LinkageMotion;
 use nalgebra::Vector3;
-use percuss_dynamics::{ElementMotion, LinearElement};
+use percuss_dynamics::{ElementMotion, LinearElement, Pose};
 use percuss_mechanism::{JointId, Mechanism};
 
 /// Wheels on which a load of the elastokinematics acts.
@@ -91,6 +92,22 @@ impl AntiRollBar {
         let links = mechanism.link_ids().filter(|id| is_bar(name(*id)));
         let hinges: Vec<JointId> = links.filter_map(|id| mechanism.parent_joint(id)).collect();
         Some(Self { joint: *hinges.first()?, other: hinges.get(1).copied(), stiffness })
+    }
+
+    /// Vertical rate at each of `wheels` wheels, along a motion with the rate `travel` of the travel of a wheel: (k φ′² + k φ φ″)/n with the
+    /// stiffness k, the twist φ and its derivatives, N/m.
+    pub(super) fn rate_at_wheel(
+        &self,
+        pose: &Pose,
+        drawn: &Pose,
+        motion: &LinkageMotion<'_>,
+        (travel, wheels): (f64, usize),
+    ) -> f64 {
+        let twist = |of: &dyn Fn(JointId) -> f64| of(self.joint) - self.other.map_or(0.0, of);
+        let [first, second] =
+            [0, 1].map(|k| twist(&|joint| motion.hinge_rates(pose, joint)[k]) / travel.powi(k as i32 + 1));
+        let angle = twist(&|joint| pose.joint(joint)[0] - drawn.joint(joint)[0]);
+        self.stiffness * (first * first + angle * second) / wheels as f64
     }
 
     /// The bar as a linear element.

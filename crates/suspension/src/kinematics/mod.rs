@@ -16,6 +16,7 @@ mod wheel_points;
 pub use force_element::ForceElement;
 pub use linkage_motion::MotionError;
 pub use loads::{AntiRollBar, ComplianceLoads, LoadCase, LoadedWheels};
+pub(crate) use parts::torsion_sign;
 pub use parts::{MissingWheel, SuspensionParts};
 pub use pose_values::Vehicle;
 pub use values::{KinematicUnit, KinematicValue, KinematicValues};

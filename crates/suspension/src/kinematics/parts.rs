@@ -7,7 +7,7 @@ use crate::kinematics::loads::AntiRollBar;
 use crate::kinematics::wheel::{SteeringAxis, WheelParts};
 use crate::kinematics::wheel_points::{RACK, SIDES};
 use nalgebra::Vector3;
-use percuss_dynamics::Pose;
+use percuss_dynamics::{Conditions, Pose, System};
 use percuss_mechanism::{JointId, LinkId, Mechanism};
 
 /// Mechanism without a wheel that the kinematics can follow.
@@ -26,7 +26,7 @@ pub struct SuspensionParts {
     pub(super) wheels: Vec<WheelParts>,
     /// True if both wheels are on one rigid axle.
     pub(super) solid_axle: bool,
-    /// Springs, dampers and stops.
+    /// Springs, torsion bars, dampers and stops.
     pub elements: Vec<ForceElement>,
     /// Keys of masses that are missing in the sheet.
     pub(super) missing_masses: Vec<String>,
@@ -58,7 +58,8 @@ impl SuspensionParts {
                 let at = Vector3::new(at[0], wheel.sign * at[1], at[2]);
                 Some((link, drawn.link(link).inverse_point(&at)))
             };
-            let points: Vec<_> = origin.steering_axis.iter().filter_map(point).collect();
+            let axis = if wheel.sign < 0.0 { &origin.right_steering_axis } else { &origin.steering_axis };
+            let points: Vec<_> = axis.iter().filter_map(point).collect();
             steering_points.extend(<[_; 2]>::try_from(points).ok());
         }
         let elements = force_elements(mechanism, &drawn, &wheels, &origin.forces);
@@ -73,7 +74,7 @@ impl SuspensionParts {
                  those of the damper)"
             }
         };
-        Ok(Self {
+        let mut parts = Self {
             wheels,
             solid_axle: origin.axle,
             elements,
@@ -87,7 +88,21 @@ impl SuspensionParts {
             rack_travel: origin.rack_travel,
             steering_points,
             drawn,
-        })
+        };
+        parts.orient_torsion_bars();
+        Ok(parts)
+    }
+
+    /// Sets the sign of the torsion bars by the motion of all wheels up, as drawn. Without this motion no quantity has a value.
+    fn orient_torsion_bars(&mut self) {
+        let mut elements = std::mem::take(&mut self.elements);
+        if elements.iter().any(ForceElement::is_torsion_bar)
+            && let Ok(linkage) = Linkage::new(&self.drawn)
+            && let Ok(bump) = self.wheel_motion(&linkage, &self.drawn, &vec![1.0; self.wheels.len()])
+        {
+            elements.iter_mut().for_each(|element| element.orient(&self.drawn, &bump));
+        }
+        self.elements = elements;
     }
 
     /// Motion of the linkage with a rate of each wheel centre upward; wheels do not spin relative to their carriers, and
@@ -128,7 +143,7 @@ impl SuspensionParts {
     }
 
     /// Steering axis of a wheel: the line through two ball joints, or the instantaneous axis of the wheel carrier while the
-    /// rack moves and the spring (or else the damper) keeps its length.
+    /// rack moves and the spring (or else the damper, or the torsion bar) keeps its length.
     pub(super) fn steering_axis(
         &self,
         linkage: &Linkage,
@@ -145,15 +160,14 @@ impl SuspensionParts {
         }
         let mut conditions = self.held_joints(linkage, pose, 1.0);
         for parts in &self.wheels {
-            let of_side = || self.elements.iter().filter(|e| e.side == parts.side && e.is_line());
-            let held = of_side().find(|e| e.name == "spring").or_else(|| of_side().next());
-            let Some(held) = held else {
+            let of_side = || self.elements.iter().filter(|e| e.side == parts.side);
+            let held = of_side().filter(|e| e.name == "spring").chain(of_side());
+            let Some(held) = held.filter_map(|element| element.hold(linkage, pose)).next() else {
                 return Err(
                     "no steering axis: a spring or a damper that keeps its length is required".to_owned()
                 );
             };
-            let [first, second] = held.ends(pose);
-            conditions.push((linkage.distance_row(first, second), 0.0));
+            conditions.push((held, 0.0));
         }
         let motion = linkage.solve(&conditions).map_err(|error| format!("no steering axis: {error}"))?;
         let parts = &self.wheels[wheel];
@@ -162,6 +176,13 @@ impl SuspensionParts {
         let point = centre + omega.cross(&v) / omega.norm_squared();
         SteeringAxis::along(point, omega).ok_or_else(horizontal)
     }
+}
+
+/// Sign of the rotation of the hinge of the torsion bar of a sheet as the wheels move up, as drawn: 1 or −1; `None` without this motion.
+pub(crate) fn torsion_sign(mechanism: Mechanism, origin: &Understood) -> Option<f64> {
+    let system = System::new(mechanism, &Conditions::new()).ok()?;
+    let drawn = system.pose(&system.configuration()).ok()?;
+    SuspensionParts::new(drawn, origin).ok()?.elements.iter().find_map(ForceElement::sign)
 }
 
 /// Wheels of a mechanism.

@@ -244,7 +244,9 @@ impl<'k> PoseEvaluation<'k> {
         let shown = |element: &ForceElement| element.is_shared || element.side == side;
         for (element, rates, _) in found.iter().filter(|(element, ..)| shown(element)) {
             let name = format!("motion_ratio_{}", element.name);
-            self.values.add(side, name, KinematicUnit::Ratio, Ok(rates.ratio[0]));
+            let unit =
+                if element.is_torsion_bar() { KinematicUnit::AnglePerLength } else { KinematicUnit::Ratio };
+            self.values.add(side, name, unit, Ok(rates.ratio[0]));
         }
         // Bicycles and motorcycles: wheel travel per compression.
         let is_in_middle = kinematics.wheels[wheel].is_in_middle();
@@ -252,7 +254,8 @@ impl<'k> PoseEvaluation<'k> {
             let name = format!("leverage_ratio_{}", element.name);
             self.values.add(side, name, KinematicUnit::Ratio, Ok(rates.ratio[0].recip()));
         }
-        for (element, rates, _) in found.iter().filter(|(element, ..)| shown(element)) {
+        let has_gradient = |element: &ForceElement| shown(element) && !element.is_torsion_bar();
+        for (element, rates, _) in found.iter().filter(|(element, ..)| has_gradient(element)) {
             let name = format!("ratio_gradient_{}", element.name);
             self.values.add(side, name, KinematicUnit::PerLength, Ok(rates.ratio[1] / rate.powi(2)));
         }
@@ -265,13 +268,23 @@ impl<'k> PoseEvaluation<'k> {
             let name = &element.name;
             if element.spring.is_some() {
                 let force = rates.force.ok_or_else(|| format!("{name}.preload is missing in the sheet"));
-                self.values.add(side, format!("force_{name}"), KinematicUnit::Force, force);
+                let (quantity, unit) = if element.is_torsion_bar() {
+                    ("moment", KinematicUnit::Moment)
+                } else {
+                    ("force", KinematicUnit::Force)
+                };
+                self.values.add(side, format!("{quantity}_{name}"), unit, force);
             } else if element.stop.is_some() {
                 let force = rates.force.ok_or_else(String::new);
                 self.values.add(side, format!("force_{name}"), KinematicUnit::Force, force);
             }
         }
         self.add(wheel, "wheel_rate", KinematicUnit::Stiffness, total.clone());
+        if let Some(bar) = kinematics.anti_roll_bar {
+            let of_bar = (rate, kinematics.wheels.len());
+            let rate = bar.rate_at_wheel(self.pose, &kinematics.drawn, &self.motion, of_bar);
+            self.add(wheel, "anti_roll_bar_rate", KinematicUnit::Stiffness, Ok(rate));
+        }
         total
     }
 

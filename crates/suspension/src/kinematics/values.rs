@@ -29,6 +29,8 @@ pub enum KinematicUnit {
     Stiffness,
     /// N.
     Force,
+    /// N·m.
+    Moment,
     /// kg.
     Mass,
     /// Hz.
@@ -50,6 +52,7 @@ impl KinematicUnit {
             KinematicUnit::Ratio | KinematicUnit::Percent => "",
             KinematicUnit::Stiffness => "N/m",
             KinematicUnit::Force => "N",
+            KinematicUnit::Moment => "N·m",
             KinematicUnit::Mass => "kg",
             KinematicUnit::Frequency => "Hz",
         }
@@ -71,6 +74,7 @@ impl KinematicUnit {
             KinematicUnit::Percent => ("%", 1e2, 2),
             KinematicUnit::Stiffness => ("N/mm", 1e-3, 3),
             KinematicUnit::Force => ("N", 1.0, 1),
+            KinematicUnit::Moment => ("N·m", 1.0, 1),
             KinematicUnit::Mass => ("kg", 1.0, 3),
             KinematicUnit::Frequency => ("Hz", 1.0, 3),
         }

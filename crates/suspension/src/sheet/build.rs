@@ -2,10 +2,10 @@
 
 use super::catalogue;
 use super::read::Sheet;
-use crate::corner::Body;
-use crate::corner::build::{self, Built};
+use super::sections::mirror_images::{Points, mirror_images};
 use crate::corner::design::GivenBody;
 use crate::corner::spindle::Spindle;
+use crate::corner::{Body, Built, build};
 use crate::findings::{Findings, Spot};
 use crate::limits::MAX_SHIFT;
 use crate::options::Side;
@@ -20,9 +20,27 @@ const LEAST_ABOUT_LINE: f64 = 1e-6;
 
 /// Builds the corner of a sheet; reports points that determine no axis or line.
 pub(in super::super) fn build(sheet: &Sheet, findings: &mut Findings) -> Option<Built> {
-    let spindle = spindle(sheet, findings);
-    let built = build::build(&sheet.design, &spindle, findings)?;
+    let own = spindle(sheet, findings);
+    let mut built = build::build(&sheet.design, &own, None, findings)?;
     note_unstated_pins(sheet, findings);
+    let unequal = sheet.unequal_points();
+    if !unequal.is_empty() {
+        let mut other = sheet.clone();
+        other.design.points.extend(unequal.clone());
+        other.points_side = if sheet.points_side == Side::Right { Side::Left } else { Side::Right };
+        if sheet.template.axle && unequal.contains_key("wheel_centre") {
+            let message = "both wheels are on one axle: their centres are mirror images".to_owned();
+            findings.error("unequal-sides", &other.design.spot("wheel_centre"), message);
+        }
+        let spindle = spindle(&other, findings);
+        let corner = build::build(&other.design, &spindle, Some(&built.left), findings)?.left;
+        let right = if sheet.points_side == Side::Right {
+            std::mem::replace(&mut built.left, corner)
+        } else {
+            corner
+        };
+        built.right = Some(right);
+    }
     Some(built)
 }
 
@@ -47,6 +65,22 @@ fn note_unstated_pins(sheet: &Sheet, findings: &mut Findings) {
             links.join(", ")
         );
         findings.note("assumed-pins", spot, message);
+    }
+}
+
+impl Sheet {
+    /// Points of the other side that are no mirror images, as points of the left side.
+    pub fn unequal_points(&self) -> Points {
+        let mirrored = mirror_images(&self.other_points, &self.design.points);
+        let unequal = self.other_points.iter().filter(|(name, _)| !mirrored.contains(name));
+        unequal.map(|(name, point)| (*name, point.clone())).collect()
+    }
+
+    /// Names of the hardpoints, without mirror images; those of the other side begin with its word: `right.lower_ball`.
+    pub fn point_names(&self) -> Vec<String> {
+        let word = self.points_side.other_word();
+        let own = self.design.points.keys().map(|name| (*name).to_owned());
+        own.chain(self.unequal_points().keys().map(|name| format!("{word}.{name}"))).collect()
     }
 }
 
@@ -81,15 +115,30 @@ pub(in super::super) fn apply_moves(
     moves: &[(String, [f64; 3])],
     findings: &mut Findings,
 ) {
-    let known: Vec<&str> = sheet.design.points.keys().copied().collect();
+    let word = sheet.points_side.other_word();
+    let mirrored = mirror_images(&sheet.other_points, &sheet.design.points);
+    let own = sheet.design.points.keys().map(|name| (*name).to_owned());
+    let names: Vec<String> =
+        own.chain(sheet.other_points.keys().map(|name| format!("{word}.{name}"))).collect();
+    let known: Vec<&str> = names.iter().map(String::as_str).collect();
     check_moves(moves, sheet.frame.unit, &known, findings);
     for (name, by) in moves {
         let mut by = sheet.frame.axes.to_iso(Vector3::from(*by));
+        let of_other = name.strip_prefix(word).and_then(|rest| rest.strip_prefix('.'));
+        if let Some((at, _)) = of_other.and_then(|name| sheet.other_points.get_mut(name)) {
+            by.y = if sheet.points_side == Side::Right { by.y } else { 0.0 - by.y };
+            *at += by;
+            continue;
+        }
         if sheet.points_side == Side::Right && !sheet.template.is_central(name) {
             by.y = 0.0 - by.y;
         }
-        if let Some((_, (at, _))) = sheet.design.points.iter_mut().find(|(key, _)| **key == name) {
-            *at += by;
+        // The mirror image of a moved point stays its mirror image.
+        let mirror_image = sheet.other_points.iter_mut().filter(|(key, _)| mirrored.contains(key));
+        for (key, (at, _)) in sheet.design.points.iter_mut().chain(mirror_image) {
+            if *key == name {
+                *at += by;
+            }
         }
     }
 }

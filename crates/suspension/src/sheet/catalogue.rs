@@ -140,6 +140,9 @@ const WHEEL_KEYS: [&str; 10] = [
 pub(super) const ROCKER_PIVOT: &str = "points.rocker_pivot";
 pub(super) const ROCKER_AXIS: &str = "rocker.axis";
 
+/// Section of a torsion bar.
+pub(super) const TORSION_BAR: &str = "torsion_bar";
+
 /// Section of the half shaft.
 pub(super) const HALF_SHAFT: &str = "half_shaft";
 
@@ -185,6 +188,9 @@ pub(super) fn keys_of(template: &'static Template) -> Vec<String> {
             _ => &["rate", "preload"],
         };
         keys.extend(own.iter().map(|key| format!("{section}.{key}")));
+    }
+    if template.hinged_links().next().is_some() {
+        keys.extend(["on", "rate", "preload"].map(|key| format!("{TORSION_BAR}.{key}")));
     }
     keys.extend(MASSIVE_PARTS.map(|section| format!("{section}.mass")));
     keys.extend(["vertical", "damping", "load"].map(|key| format!("tyre.{key}")));

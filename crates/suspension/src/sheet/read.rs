@@ -6,6 +6,7 @@ use super::foreign::{self, adams};
 use super::point_table::{self, Files};
 use super::sections::bush_file::BushFile;
 use super::sections::estimates::Estimates;
+use super::sections::mirror_images::{Points, mirror_images};
 use super::sections::{bushes, contacts};
 use super::template::Template;
 use super::{names, table, toml_text};
@@ -36,6 +37,10 @@ pub(in super::super) struct Sheet {
     /// Travel of the rack per turn of the steering wheel, m.
     pub rack_travel: Option<f64>,
     pub design: Design,
+    /// Points of the other side, as points of the left side; empty if only one side is built.
+    pub other_points: Points,
+    /// Names of the points whose mirror images the file has too.
+    pub mirrored: Vec<&'static str>,
     pub wheel: Option<Wheel>,
     /// Camber, rad.
     pub camber: f64,
@@ -141,10 +146,10 @@ impl SheetReader<'_> {
         let frame = Frame { unit, axes };
         self.note_axes(axes);
         self.entries.set_known_keys(catalogue::keys_of(template));
-        names::rename_points(template, points_side, self.entries, self.findings);
+        let side = self.side(template, points_side);
+        names::rename_points(template, (points_side, side == Side::Both), self.entries, self.findings);
         let name = name.filter(|n| !n.is_empty()).unwrap_or_else(|| template.name.clone());
         let name = if name.len() > LONGEST_NAME { cut(&name, LONGEST_NAME / 4) } else { name };
-        let side = self.side(template, points_side);
         let camber = self.entries.wheel_angle(self.findings, "wheel.camber", MAX_CAMBER);
         let mut points = self.points(template, frame, points_side);
         let stated = points.get("wheel_centre").map(|(at, _)| *at);
@@ -158,7 +163,8 @@ impl SheetReader<'_> {
             self.scalar("spindle.axle_inertia", Quantity::Inertia(inertia_unit)).map_or(0.0, |(x, _)| x);
         let on = self.attachments(template);
         let sections = catalogue::force_sections(template);
-        let forces = self.entries.force_elements(self.findings, &sections, frame.unit);
+        let mut forces = self.entries.force_elements(self.findings, &sections, frame.unit);
+        forces.torsion_bar = self.torsion_bar(template);
         let part_masses = MASSIVE_PARTS.into_iter().filter_map(|section| {
             let (mass, spot) = self.scalar(&format!("{section}.mass"), Quantity::Mass)?;
             if mass < 0.0 {
@@ -204,9 +210,17 @@ impl SheetReader<'_> {
             ..Design::default()
         };
         point_table::warn_unbuilt_parts(self.entries, self.findings);
-        let names = template.points.iter().map(|(name, _)| &**name);
+        let mut other_points = self.other_points(template, frame, points_side, &design.points);
+        let mirrored = mirror_images(&other_points, &design.points);
+        self.report_unequal_points(&other_points, &design.points, points_side, side);
+        let word = points_side.other_word();
+        let others: Vec<String> = other_points.keys().map(|name| format!("{word}.{name}")).collect();
+        if side != Side::Both {
+            other_points.clear();
+        }
+        let names = template.points.iter().map(|(name, _)| name.clone()).chain(others);
         let axes_of_file = self.entries.axes_of_file.unwrap_or(axes);
-        let written = names.filter_map(|name| self.entries.written_point(name, frame.unit));
+        let written = names.filter_map(|name| self.entries.written_point(&name, frame.unit));
         let written = written.map(|point| point.in_axes(axes, axes_of_file)).collect();
         let missing_masses = self.entries.report_missing_masses(self.findings);
         if let Some(estimates) = &self.estimates {
@@ -221,6 +235,8 @@ impl SheetReader<'_> {
             rack_stiffness,
             rack_travel,
             design,
+            other_points,
+            mirrored,
             wheel,
             camber,
             toe,

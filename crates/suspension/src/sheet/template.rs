@@ -1,5 +1,6 @@
 //! Template of a sheet, as read from its data file in `templates`.
 
+use crate::corner::CHASSIS;
 use crate::corner::design::{DerivedPoint, ON_DAMPER, Part, STOPS};
 use crate::options::Side;
 use percuss_formats::reading::quoted;
@@ -131,6 +132,16 @@ impl Template {
     /// True if the template has tie rods.
     pub fn has_rack(&self) -> bool {
         self.point("tie_rod_inner").is_some()
+    }
+
+    /// Links on a hinge on the chassis, on which a torsion bar can be.
+    pub fn hinged_links(&self) -> impl Iterator<Item = &str> {
+        self.parts.iter().filter_map(|part| match part {
+            Part::Hinge { link, parent, .. } | Part::Swivel { link, parent, .. } if parent == CHASSIS => {
+                Some(&**link)
+            }
+            _ => None,
+        })
     }
 
     /// Links that the key `on` of a section can name. A pushrod cannot be on a rod, because the rods are built after the pushrod. Rods

@@ -41,7 +41,10 @@ pub(super) fn read(text: &str, file: usize, entries: &mut Entries, findings: &mu
                 for (inner, value) in section {
                     let name = format!("{}.{}", key.get_ref(), inner.get_ref());
                     match value.get_ref() {
-                        DeValue::Table(named) if [CONTACT, BUSH].contains(&&**key.get_ref()) => {
+                        DeValue::Table(named)
+                            if [CONTACT, BUSH].contains(&&**key.get_ref())
+                                || ["points.left", "points.right"].contains(&&*name) =>
+                        {
                             for (last, value) in named {
                                 found.push((last.span().start, format!("{name}.{}", last.get_ref()), value));
                             }

@@ -402,6 +402,11 @@ pub fn template_keys() -> String {
          plane of the pivot, `pushrod_rocker` and `damper_seat` (or `spring_seat`)",
         &of(&|t| t.point("rocker_front").is_some()),
     );
+    row(
+        "points.right.NAME`, `points.left.NAME",
+        "a point of the other side that is no mirror image, of the side that `side` does not state; with `build = \"both\"`",
+        &of(&|t| !t.middle),
+    );
     row("spring.preload", "the force at the design position, N; positive: compressed", "all");
     let third = of(&|t| t.on.iter().any(|(key, _)| key == "third_spring"));
     row("third_spring.rate`, `.preload", "rate and preload of the spring between both sides", &third);
@@ -431,8 +436,15 @@ pub fn template_keys() -> String {
     );
     row(
         "anti_roll_bar.stiffness",
-        "torsional stiffness of the bar between its two arms (`\"12 N·m/deg\"`), for impacts in time; with one side the other half is at rest",
+        "torsional stiffness of the bar between its two arms (`\"12 N·m/deg\"`), for impacts in time and the column `anti_roll_bar_rate` of \
+         `percuss kinematics`; with one side the other half is at rest",
         &of(&|t| t.bodies.iter().any(|(body, _)| body == "anti_roll_bar")),
+    );
+    row(
+        "torsion_bar.on`, `.rate`, `.preload",
+        "a torsion bar as the spring: the link whose hinge on the chassis it is on (default: the only one), its rate with a unit \
+         (`\"60 N·m/deg\"`), its moment at the design position (N·m; positive: twisted as by a wheel that moves up)",
+        &of(&|t| t.hinged_links().next().is_some()),
     );
     row(
         "contact.NAME.point`, `.on`, `.direction`, `.against`, `.gap",

@@ -99,7 +99,9 @@ pub(super) fn hardpoint_name(
     };
     // If several hardpoints are at one point, the name that begins with the first word of the part's name is used.
     let stem = part.split('_').next().unwrap_or(part);
-    let mut here = origin.understood.coordinates.iter().filter(is_here).map(|(name, _)| name);
+    let here = origin.understood.coordinates.iter().filter(is_here);
+    // Points of the other side begin with its word, and the name of the part ends in its side.
+    let mut here = here.map(|(name, _)| name.rsplit_once('.').map_or(name.as_str(), |(_, name)| name));
     let first = here.clone().next()?;
     let name = here.find(|name| name.starts_with(stem)).unwrap_or(first);
     Some(format!("{name}{side}"))

@@ -3,7 +3,7 @@
 use percuss_mechanism::near_names;
 
 /// Quantities with one column per spring, damper and stop.
-const CONTACT_QUANTITIES: [&str; 4] = ["motion_ratio", "leverage_ratio", "ratio_gradient", "force"];
+const CONTACT_QUANTITIES: [&str; 5] = ["motion_ratio", "leverage_ratio", "ratio_gradient", "force", "moment"];
 
 /// Name of a column: `CONTACT.QUANTITY`, such as `bump_stop_left.motion_ratio`, is the column `motion_ratio_bump_stop_left`; any other
 /// name stays as it is.

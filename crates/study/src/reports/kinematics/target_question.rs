@@ -101,6 +101,7 @@ fn dimension(unit: KinematicUnit) -> Dimension {
         KinematicUnit::Ratio | KinematicUnit::Percent => Dimension::Ratio,
         KinematicUnit::Stiffness => Dimension::Stiffness,
         KinematicUnit::Force => Dimension::Force,
+        KinematicUnit::Moment => Dimension::Moment,
         KinematicUnit::Mass => Dimension::Mass,
         KinematicUnit::AnglePerLength
         | KinematicUnit::PerLength

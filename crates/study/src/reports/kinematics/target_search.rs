@@ -125,7 +125,7 @@ fn scale(unit: KinematicUnit) -> f64 {
         KinematicUnit::Frequency | KinematicUnit::PerLength => 1e-1,
         KinematicUnit::Mass => 1.0,
         KinematicUnit::Stiffness => 1e3,
-        KinematicUnit::Force => 1e2,
+        KinematicUnit::Force | KinematicUnit::Moment => 1e2,
         KinematicUnit::AnglePerForce | KinematicUnit::LengthPerForce => 1e-7,
         KinematicUnit::AnglePerMoment | KinematicUnit::LengthPerMoment => 1e-6,
     }

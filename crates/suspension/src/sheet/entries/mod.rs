@@ -64,11 +64,12 @@ impl TableRow {
 /// Hardpoint as written in a file.
 #[derive(Clone, Debug)]
 pub(in super::super) struct WrittenPoint {
-    pub name: &'static str,
+    /// Name; of a point of the other side `right.NAME` or `left.NAME`.
+    pub name: String,
     /// Index of the file among those of the import.
     pub file: usize,
-    /// Each coordinate: number, length of its unit (m), place.
-    pub numbers: [(f64, f64, Place); 3],
+    /// Each coordinate: number, length of its unit (m), its places: several if the file repeats the point.
+    pub numbers: [(f64, f64, Vec<Place>); 3],
 }
 
 impl WrittenPoint {
@@ -89,7 +90,7 @@ pub(super) struct Entry {
     pub key: String,
     pub cells: Vec<Cell>,
     pub spot: Spot,
-    /// Place of each value; empty if unknown.
+    /// Place of each value, of a repeated point again for each repetition; empty if unknown.
     places: Vec<Place>,
     used: bool,
 }
@@ -252,7 +253,7 @@ impl Entries {
     }
 
     /// Hardpoint as written; `None` if its numbers have no place in a file. `unit`: unit of numbers without one.
-    pub fn written_point(&self, name: &'static str, unit: LengthUnit) -> Option<WrittenPoint> {
+    pub fn written_point(&self, name: &str, unit: LengthUnit) -> Option<WrittenPoint> {
         let entry = self.list.iter().find(|entry| entry.key.strip_prefix("points.") == Some(name))?;
         let number = |k: usize| {
             let (number, metres) = match entry.cells.get(k)? {
@@ -267,9 +268,14 @@ impl Entries {
                 }
                 Cell::Switch(_) | Cell::Unreadable(_) => return None,
             };
-            Some((number, metres, entry.places.get(k)?.clone()))
+            let places: Vec<Place> = entry.places.iter().skip(k).step_by(3).cloned().collect();
+            (!places.is_empty()).then_some((number, metres, places))
         };
-        Some(WrittenPoint { name, file: entry.spot.file, numbers: [number(0)?, number(1)?, number(2)?] })
+        Some(WrittenPoint {
+            name: name.to_owned(),
+            file: entry.spot.file,
+            numbers: [number(0)?, number(1)?, number(2)?],
+        })
     }
 
     /// True if the key exists.

@@ -102,8 +102,10 @@ pub(super) fn read(text: &str, is_right: bool, into: &mut ForeignFile<'_>) {
     if !name.is_empty() {
         into.word("name", name, at_name);
     }
-    if spring == "torsion_bar" {
-        let message = "the torsion bar is not built: the wheel rate does not contain it".to_owned();
+    if spring == "torsion_bar" && !into.entries.has("torsion_bar.rate") {
+        let message = "the file has no rate of the torsion bar: the wheel rate does not contain it; write a sheet with points = \"FILE.yaml\" and \
+                       [torsion_bar] with on and rate"
+            .to_owned();
         into.warning("not-built", "spring.type", at_spring, message);
     }
     let (side, mut points) = read_points(&points, side, is_right, into);
@@ -175,13 +177,24 @@ fn read_points(
         };
         let places = leaves.iter().flatten().map(|leaf| Place::Text(leaf.range.clone())).collect();
         points.insert((*name).to_owned(), ([x, y, z], places, at));
-        let mirrored = found.get(&(other, *name)).filter(|_| *of == side).map(numbers);
-        if mirrored.is_some_and(|mirrored| mirrored != [Some(x), Some(-y), Some(z)]) {
+        let Some(leaves) = found.get(&(other, *name)).filter(|_| *of == side) else { continue };
+        let [Some(other_x), Some(other_y), Some(other_z)] = numbers(leaves) else {
+            into.error("wrong-type", name, at, "three numbers x, y, z are expected");
+            continue;
+        };
+        let is_axle = name.starts_with("axle_");
+        if is_axle && [other_x, -other_y, other_z] == [x, y, z] {
+            continue;
+        }
+        if is_axle {
             let message = format!(
-                "the {other} side is no mirror image: only the {side} side is read, and the other is built as its mirror image"
+                "the wheel of the {other} side is no mirror image: it is built as that of the {side} side"
             );
             into.warning("unequal-sides", name, at, message);
+            continue;
         }
+        let places = leaves.iter().flatten().map(|leaf| Place::Text(leaf.range.clone())).collect();
+        into.point(&format!("{other}.{name}"), [other_x, other_y, other_z], "mm", places, at);
     }
     (side, points)
 }

@@ -228,8 +228,13 @@ pub(super) fn read(text: &str, is_right: bool, axle: Option<&str>, into: &mut Fo
     let (Some(at), Some(axis)) = (position(hinge, "pos"), position(hinge, "axis")) else {
         return into.error("wrong-type", "JOINT&HINGE", hinge.at, "pos and axis are expected");
     };
-    let places =
-        if hinge.triple("pos").is_some() { hinge.places(text, "pos") } else { wheel.places(text, "pos") };
+    // The wheel is on its hinge: both positions are the wheel centre.
+    let mut places = Vec::new();
+    for section in [hinge, wheel] {
+        if section.triple("pos").is_some() {
+            places.extend(section.places(text, "pos"));
+        }
+    }
     into.point("wheel_centre", at, "m", places, hinge.at);
     let spin = into.axes.to_iso(Vector3::from(axis));
     // The axis may point inward; the mirror image of a right wheel is a left one.
@@ -272,6 +277,13 @@ fn add_bars(mut bars: Vec<Bar>, into: &mut ForeignFile<'_>) {
     let has_arms = bars.chunks(2).all(is_one);
     let template = if has_arms { "double-wishbone-rods" } else { "five-link" };
     into.word("template", template, tie_rod.at);
+    // A shared end is given by both rods.
+    if has_arms {
+        for pair in bars.chunks_mut(2) {
+            let twin = std::mem::take(&mut pair[1].outer.1);
+            pair[0].outer.1.extend(twin);
+        }
+    }
     for (k, bar) in bars.into_iter().enumerate() {
         let (level, end) = (["upper", "lower"][k / 2], ["front", "back"][k % 2]);
         let [inner, outer] = if has_arms {
@@ -280,10 +292,8 @@ fn add_bars(mut bars: Vec<Bar>, into: &mut ForeignFile<'_>) {
             [format!("{level}_{end}_link_chassis"), format!("{level}_{end}_link_outer")]
         };
         into.point(&inner, bar.inner.0, "m", bar.inner.1, bar.at);
-        // A shared end is two numbers of the file: it has no place of its own.
-        let places = if has_arms { Vec::new() } else { bar.outer.1 };
         if !has_arms || k % 2 == 0 {
-            into.point(&outer, bar.outer.0, "m", places, bar.at);
+            into.point(&outer, bar.outer.0, "m", bar.outer.1, bar.at);
         }
     }
     into.point("tie_rod_inner", tie_rod.inner.0, "m", tie_rod.inner.1, tie_rod.at);

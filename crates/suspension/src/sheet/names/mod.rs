@@ -18,11 +18,12 @@ pub(super) const NAMES: &str = "names";
 const MOST_NAMES: usize = 20;
 
 /// Renames the hardpoints to the names of the template: first those of the section `names`, then those of other programs, then those that
-/// their words determine; notes list them. Of a table with names of both sides, those of `side` are used. Two names of one point are an
-/// error. If no mandatory point is missing, other names are not used, with a warning.
+/// their words determine; notes list them. Of names of both sides, those of the side that is not `side` become `points.right.NAME` or
+/// `points.left.NAME` if `builds_both`. Two names of one point are an error. If no mandatory point is missing, other names are not used, with a
+/// warning.
 pub(super) fn rename_points(
     template: &'static Template,
-    side: Side,
+    (side, builds_both): (Side, bool),
     entries: &mut Entries,
     findings: &mut Findings,
 ) {
@@ -45,8 +46,12 @@ pub(super) fn rename_points(
     }
     let is_other = |one: &Found| one.side.is_some_and(|of_name| of_name != side);
     // A table with names of one side only describes the side of the sheet.
-    let has_both =
-        found.iter().any(|(.., one)| is_other(one)) && found.iter().any(|(.., one)| one.side == Some(side));
+    let is_own = |other: &Found| {
+        entries.has(&format!("points.{}", other.point))
+            || found.iter().any(|(.., one)| !is_other(one) && one.point == other.point)
+    };
+    let has_both = found.iter().any(|(.., one)| is_other(one))
+        && found.iter().any(|(.., one)| one.side == Some(side) || is_other(one) && is_own(one));
     let (other, found): (Vec<_>, Vec<_>) = found.into_iter().partition(|(.., one)| has_both && is_other(one));
     let mut programs: Vec<(Option<&str>, Spot, Vec<String>)> = Vec::new();
     let mut coil_overs = Vec::new();
@@ -83,7 +88,31 @@ pub(super) fn rename_points(
         findings.note("other-names", &spot, format!("{of}: {}", list.join(", ")));
     }
     copy_coil_overs(&coil_overs, template, entries, findings);
-    let word = if side == Side::Right { "left" } else { "right" };
+    let word = side.other_word();
+    let prefix = format!("{word}.");
+    let (used, other): (Vec<_>, Vec<_>) =
+        other.into_iter().partition(|(name, ..)| builds_both || name.starts_with(&prefix));
+    for (name, spot, one) in used {
+        let key = format!("points.{word}.{}", one.point);
+        if key == format!("points.{name}") {
+            continue;
+        }
+        if entries.has(&key) {
+            let message = format!(
+                "{} and another name are both the point {} of the {word} side",
+                quoted(&name),
+                one.point
+            );
+            findings.error("ambiguous-name", &spot, message);
+        }
+        entries.rename(&format!("points.{name}"), &key);
+        if let Some((damper, spring)) =
+            COIL_OVER.iter().find(|(damper, _)| one.is_coil_over && *damper == one.point)
+            && coil_overs.iter().any(|(point, _)| point == damper)
+        {
+            copy_point(&key, &format!("points.{word}.{spring}"), &spot, entries, findings);
+        }
+    }
     warn_unused(&other, &format!("the points of the {word} side are not used"), entries, findings);
     let has = |key: &str| entries.has(&format!("points.{key}"));
     let is_required =
@@ -136,6 +165,19 @@ impl Named for (String, Spot, Found) {
     }
 }
 
+/// Ends of the damper, and those of the spring of a coil-over.
+const COIL_OVER: [(&str, &str); 2] =
+    [("damper_seat", "spring_seat"), ("damper_chassis_seat", "spring_chassis_seat")];
+
+/// Adds a point with the numbers and the places of another one.
+fn copy_point(from: &str, to: &str, spot: &Spot, entries: &mut Entries, findings: &mut Findings) {
+    if let Some(cells) = entries.cells_of(from) {
+        entries.add(findings, to.to_owned(), cells, spot.clone());
+        let places = entries.places_of(from);
+        entries.set_places(to, places);
+    }
+}
+
 /// Gives the spring the ends of a coil-over, unless the sheet has ends of the spring.
 fn copy_coil_overs(
     ends: &[(&'static str, Spot)],
@@ -143,23 +185,17 @@ fn copy_coil_overs(
     entries: &mut Entries,
     findings: &mut Findings,
 ) {
-    const ENDS: [(&str, &str); 2] =
-        [("damper_seat", "spring_seat"), ("damper_chassis_seat", "spring_chassis_seat")];
-    let has_spring = ENDS.iter().any(|(_, spring)| entries.has(&format!("points.{spring}")));
+    let has_spring = COIL_OVER.iter().any(|(_, spring)| entries.has(&format!("points.{spring}")));
     if has_spring || template.point("spring_seat").is_none() {
         return;
     }
     let copies = ends.iter().filter_map(|(end, spot)| {
-        let (_, spring) = ENDS.iter().find(|(damper, _)| damper == end)?;
+        let (_, spring) = COIL_OVER.iter().find(|(damper, _)| damper == end)?;
         Some((*end, *spring, spot))
     });
     let copies: Vec<_> = copies.collect();
     for (end, spring, spot) in &copies {
-        if let Some(cells) = entries.cells_of(&format!("points.{end}")) {
-            entries.add(findings, format!("points.{spring}"), cells, (*spot).clone());
-            let places = entries.places_of(&format!("points.{end}"));
-            entries.set_places(&format!("points.{spring}"), places);
-        }
+        copy_point(&format!("points.{end}"), &format!("points.{spring}"), spot, entries, findings);
     }
     if let Some((.., spot)) = copies.first() {
         let message = "the points of a coil-over are the ends of the damper and of the spring".to_owned();
@@ -201,6 +237,9 @@ fn rename_stated(template: &'static Template, entries: &mut Entries, findings: &
             [name] if **name == point => {}
             [name] if !entries.has(&key) => {
                 entries.rename(&format!("points.{name}"), &key);
+                for side in ["left", "right"] {
+                    entries.rename(&format!("points.{side}.{name}"), &format!("points.{side}.{point}"));
+                }
                 renamed.push(format!("{} → {point}", shortened(name)));
                 place.get_or_insert(spot);
             }
@@ -237,8 +276,11 @@ pub(super) fn report_unknown_points(
     findings: &mut Findings,
 ) -> bool {
     let unread = entries.unread().filter_map(|entry| entry.key.strip_prefix("points."));
-    let names: Vec<String> =
-        unread.filter(|name| template.point(name).is_none()).map(str::to_owned).collect();
+    let is_of_other = |name: &str| name.starts_with("left.") || name.starts_with("right.");
+    let names: Vec<String> = unread
+        .filter(|name| template.point(name).is_none() && !is_of_other(name))
+        .map(str::to_owned)
+        .collect();
     let is_missing = |key: &&str| !entries.has(&format!("points.{key}"));
     let missing: Vec<&str> = template.points.iter().map(|(key, _)| &**key).filter(is_missing).collect();
     if names.len() < 2 {

@@ -5,5 +5,7 @@ pub(super) mod bush_file;
 pub(super) mod bushes;
 pub(super) mod contacts;
 pub(super) mod estimates;
-pub(super) mod parts;
+pub(super) mod mirror_images;
+mod other_side;
+mod parts;
 mod wheel;

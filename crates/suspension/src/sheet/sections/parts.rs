@@ -1,11 +1,15 @@
-//! Parts that a sheet describes apart from points and bodies: the axis of a rocker, the half shaft, the ratio of the rack.
+//! Parts that a sheet describes apart from points and bodies: the axis of a rocker, a torsion bar, the half shaft, the ratio of the rack.
 
 use crate::findings::Spot;
+use crate::forces::TorsionBar;
+use crate::limits::TORSION_RATES;
 use crate::options::Side;
-use crate::sheet::catalogue::{HALF_SHAFT, ROCKER_AXIS};
+use crate::sheet::catalogue::{HALF_SHAFT, ROCKER_AXIS, TORSION_BAR, suggestion};
 use crate::sheet::entries::Quantity;
 use crate::sheet::read::SheetReader;
+use crate::sheet::template::Template;
 use crate::units::Frame;
+use percuss_formats::reading::quoted;
 use percuss_spatial::Vector3;
 use std::collections::BTreeMap;
 
@@ -65,6 +69,54 @@ impl SheetReader<'_> {
             self.findings.error("bad-mass", &spot, format!("{mass} kg; a mass of at least 0 is expected"));
         }
         Some((mass, outer))
+    }
+
+    /// Torsion bar on the hinge of a link.
+    pub fn torsion_bar(&mut self, template: &'static Template) -> Option<TorsionBar> {
+        let [on, rate, preload] = ["on", "rate", "preload"].map(|key| format!("{TORSION_BAR}.{key}"));
+        let place = self.entries.spot_in(&format!("{TORSION_BAR}."))?;
+        let links: Vec<&str> = template.hinged_links().collect();
+        let given = self.entries.text(self.findings, &on, "the name of a link on a hinge on the chassis");
+        let is_stated = self.entries.has(&on);
+        let (link, spot) = match (given, &links[..]) {
+            (Some(given), _) => given,
+            (None, [only]) if !is_stated => ((*only).to_owned(), place.clone()),
+            _ => {
+                if !is_stated {
+                    self.entries.missing(self.findings, &on, &format!("one of {}", links.join(", ")));
+                }
+                (links.first()?.to_string(), place.clone())
+            }
+        };
+        if !links.contains(&link.as_str()) {
+            let near = suggestion(&link, links.iter().copied());
+            let message = format!(
+                "{} is no link on a hinge on the chassis{near} (these are: {})",
+                quoted(&link),
+                links.join(", ")
+            );
+            self.findings.error("unknown-link", &spot, message);
+        }
+        let moment = self.scalar(&preload, Quantity::Moment).map(|(moment, _)| moment);
+        let Some((stiffness, spot)) = self.scalar(&rate, Quantity::RotationalStiffness) else {
+            if !self.entries.has(&rate) {
+                self.entries.missing(self.findings, &rate, "a torsional rate, such as \"60 N·m/deg\",");
+            }
+            return None;
+        };
+        if stiffness <= 0.0 {
+            let message = format!("{stiffness} N·m/rad; a rate above 0 is expected");
+            self.findings.error("bad-rate", &spot, message);
+        } else if !TORSION_RATES.contains(&stiffness) {
+            let message = format!(
+                "{}; a rate from {} to {} N·m/rad is usual for a torsion bar: check its unit",
+                self.entries.given(&rate),
+                TORSION_RATES.start(),
+                TORSION_RATES.end()
+            );
+            self.findings.warning("implausible-force", &spot, message);
+        }
+        Some(TorsionBar { link, rate: stiffness, preload: moment })
     }
 
     /// Travel of the rack per turn of the steering wheel, m.

@@ -433,6 +433,11 @@ impl Columns {
         }
     }
 
+    /// Columns of the other side in place of those of the side that is read.
+    pub fn of_other_side(&self) -> Option<Self> {
+        Some(Self { xyz: self.other_side?, ..self.clone() })
+    }
+
     /// Unit of all three columns.
     pub fn common_unit(&self) -> Option<LengthUnit> {
         self.units.filter(|[x, y, z]| x == y && y == z).map(|[x, ..]| x)

@@ -352,8 +352,16 @@ fn add_rows(mut rows: Vec<TableRow>, entries: &mut Entries, findings: &mut Findi
         let is_point = !HEAD.contains(&&*key) && (!key.contains('.') || is_dotted_point());
         let key = if is_point { format!("points.{key}") } else { key };
         has_points |= key.starts_with("points.");
-        if let Some(columns) = columns.as_ref().filter(|_| key.starts_with("points.")) {
-            others.compare_sides(&key, row, columns);
+        let of_other = columns.as_ref().filter(|_| key.starts_with("points.")).and_then(|columns| {
+            let other = columns.of_other_side().filter(|other| has_numbers(&row.cells, Some(other)))?;
+            Some((other.values(&row.cells, title_unit.as_ref().map(|(unit, _)| *unit)), other.xyz))
+        });
+        if let Some((values, xyz)) = of_other {
+            // The other side has points of its own.
+            let other = format!("points.{}.{}", side.other_word(), key.trim_start_matches("points."));
+            let path = Some(shortened(&other));
+            entries.add(findings, other.clone(), values, Spot { path, ..spot.clone() });
+            entries.set_places(&other, xyz.into_iter().filter_map(|i| row.places.get(i).cloned()).collect());
         }
         let mut values: Vec<Cell> = match columns.as_ref().filter(|_| key.starts_with("points.")) {
             Some(columns) => columns.values(&row.cells, title_unit.as_ref().map(|(unit, _)| *unit)),
@@ -451,12 +459,11 @@ fn is_setting(cells: &[Cell]) -> bool {
         && !matches!(header::read(cells, Side::Left), Row::Header(_))
 }
 
-/// Rows of a table that are no points, and points whose other side is not the mirror image.
+/// Rows of a table that are no points.
 #[derive(Default)]
 struct OtherRows {
     settings: Vec<(String, Spot)>,
     unused: Vec<(String, Spot)>,
-    asymmetric: Vec<(String, Spot)>,
 }
 
 impl OtherRows {
@@ -493,23 +500,6 @@ impl OtherRows {
         true
     }
 
-    /// Compares a point with the one of the other side.
-    fn compare_sides(&mut self, key: &str, row: &TableRow, columns: &Columns) {
-        let at = |xyz: [usize; 3]| {
-            let [x, y, z] = xyz.map(|i| row.cells.get(i).and_then(number_of));
-            Some([x?, y?, z?])
-        };
-        let (Some(own), Some(other)) = (at(columns.xyz), columns.other_side.and_then(at)) else { return };
-        let tolerance = 1e-4 * own.iter().fold(0.0, |most: f64, x| most.max(x.abs()));
-        let is_mirror = |k: usize| {
-            (0..3).all(|i| (own[i] - if i == k { -other[i] } else { other[i] }).abs() <= tolerance)
-        };
-        // Columns of the same point in two units are no mirror image.
-        if !(0..3).any(is_mirror) {
-            self.asymmetric.push((key.trim_start_matches("points.").to_owned(), row.spot.clone()));
-        }
-    }
-
     /// Reports the rows, each kind in one finding.
     fn report(&self, findings: &mut Findings) {
         let list = |rows: &[(String, Spot)]| {
@@ -522,13 +512,6 @@ impl OtherRows {
         if let Some((_, spot)) = self.unused.first() {
             let message = format!("rows without coordinates, which are not used: {}", list(&self.unused));
             findings.warning("unused-rows", spot, message);
-        }
-        if let Some((_, spot)) = self.asymmetric.first() {
-            let message = format!(
-                "the columns of the other side are no mirror image at {}; only one side is read, and the other is built as its mirror image",
-                list(&self.asymmetric)
-            );
-            findings.warning("unequal-sides", spot, message);
         }
     }
 }

@@ -4,7 +4,7 @@ use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
 use crate::damper::sheet_forces::{
     ElementForce, SheetElement, balancing_wheel_forces, joint_springs, sheet_bars, sheet_elements,
-    sheet_tyres,
+    sheet_tyres, torsion_bar_of, torsion_moment,
 };
 use crate::evaluation::joint_ranges::find_joint;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
@@ -145,6 +145,12 @@ impl ActingForces {
                 acting.left_out.push(format!("{kind} of {}", pose.mechanism().joint(joint).name()));
                 continue;
             }
+            let bar = torsion_bar_of(prepared.model, joint);
+            if mode == SheetSprings::Full && bar.is_some_and(|bar| bar.preload.is_none()) {
+                let why =
+                    "torsion_bar: the sheet has no preload, which determines the whole moment of the bar";
+                return Err(StudyError::input("impact.springs", why.to_owned()));
+            }
             let free_position = (mode == SheetSprings::Full).then_some(spring.reference);
             let SpringDamper { stiffness, damping, .. } = spring;
             acting.joints.push(JointSpring {
@@ -214,8 +220,12 @@ impl ActingForces {
             let own = line.free_length.map(|free| line.rate * (free - (b - a).norm()));
             own.or_else(|| element?.whole_force(evaluated)).unwrap_or(0.0) + line.drive
         };
+        let of_joint = |acting: &JointSpring| {
+            let own = joint_springs(pose).find(|(joint, _)| *joint == acting.joint && acting.stiffness > 0.0);
+            own.map_or(0.0, |(joint, spring)| torsion_moment(evaluated.prepared.model, pose, joint, &spring))
+        };
         let of_tyre = |(_, tyre): &(String, Support)| if tyre.is_balanced { 0.0 } else { tyre.force };
-        let lines = self.lines.iter().map(of_line).chain(self.joints.iter().map(|_| 0.0));
+        let lines = self.lines.iter().map(of_line).chain(self.joints.iter().map(of_joint));
         lines.chain(self.tyres.iter().map(of_tyre)).collect()
     }
 
@@ -236,6 +246,15 @@ impl ActingForces {
             whole.point_springs[line].free_length =
                 Some(element.length(&evaluated.pose) + force / spring.rate);
             has_spring |= force != 0.0;
+        }
+        for (joint, spring) in joint_springs(&evaluated.pose) {
+            let Some(bar) = torsion_bar_of(evaluated.prepared.model, joint) else { continue };
+            bar.preload?;
+            let own = whole.springs.iter_mut().find(|own| own.joint == joint && own.stiffness > 0.0)?;
+            if own.free_position.is_some() {
+                return None;
+            }
+            own.free_position = Some(spring.reference);
         }
         for (link, force) in balancing_wheel_forces(evaluated)?.into_iter().filter(|_| has_spring) {
             whole.supports.push(Support {
