@@ -37,6 +37,7 @@ mod loops {
 /// Families of mechanisms with known results: rounded files, independent mechanisms in one file, loops drawn open,
 /// extreme sizes, robots with held points.
 mod families {
+    mod adams_datasets;
     mod certificates;
     mod coverage;
     mod drawn_open;

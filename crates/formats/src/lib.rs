@@ -31,6 +31,7 @@
 
 pub mod reading;
 
+mod adams;
 #[cfg(feature = "urdf-rs")]
 mod from_urdf_rs;
 mod hull;
@@ -38,7 +39,6 @@ mod load;
 mod meshes;
 mod mjcf;
 mod parts;
-mod qpos;
 mod sdf;
 mod shape;
 mod shape_inertia;
@@ -53,8 +53,8 @@ pub use meshes::surface::{Facet, Orientation, Surface, SurfaceError};
 pub use mjcf::write::{
     ImpactContact, ImpactSurfaces, MjcfError, MjcfImpact, balance_inertia, write_mjcf, write_mjcf_impact,
 };
-pub use qpos::{QposError, QposLayout};
 pub use reading::diagnostic::{Diagnostic, LoadError};
+pub use reading::document::qpos::{QposError, QposLayout};
 pub use reading::files::{FileKind, FileStore, FileSystem, MemoryFiles, OpenFile, SharedFiles};
 pub use reading::report::NOT_READ;
 pub use reading::source::{DEFAULT_MAX_SIZE, Source};

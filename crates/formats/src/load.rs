@@ -1,4 +1,4 @@
-//! Entry point of all readers of models: the root element of the file selects the format.
+//! Entry point of all readers of models: the root element of the file, or the ending `.adm`, selects the format.
 
 use crate::reading::limits::LONGEST_HEAD;
 use crate::reading::report::{NOT_READ, Report};
@@ -6,10 +6,11 @@ use crate::reading::tolerance::tolerant_text;
 use crate::reading::xml;
 use crate::sdf;
 use crate::urdf::load::{LoadOptions, Loaded};
-use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source, mjcf, urdf};
+use crate::{DEFAULT_MAX_SIZE, Diagnostic, LoadError, Source, adams, mjcf, urdf};
 use std::path::Path;
 
-/// Reads a model: URDF (root `<robot>`), MJCF (root `<mujoco>`) or SDFormat (root `<sdf>`), closed loops and couplings included.
+/// Reads a model: URDF (root `<robot>`), MJCF (root `<mujoco>`), SDFormat (root `<sdf>`) or a dataset of Adams Solver (file name ending in
+/// `.adm`), closed loops and couplings included.
 ///
 /// Units: m, kg, kg·m², rad. Inertias in a rotated frame are transformed to the link's axes, I = R I′ Rᵀ. A URDF opens no other file.
 /// An MJCF opens the files of its `<include>` elements, and the meshes from which an inertia is computed; an SDF opens the files of its
@@ -22,21 +23,10 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
     if let Some(error) = foreign_format(source) {
         return Err(error);
     }
-    let mut report = Report::default();
-    let Some(text) = source.text(&mut report) else {
-        return Err(LoadError { diagnostics: report.finish(&source.name, "") });
-    };
-    let text = &*tolerant_text(&text, &mut report);
-    let loaded = match xml::root_name(text) {
-        Some("sdf") => sdf::load::load_text(source, text, options, report),
-        Some("mujoco") => {
-            source.refuse_model("an MJCF", &mut report);
-            mjcf::load::load_text(source, text, options, report)
-        }
-        _ => {
-            source.refuse_model("a URDF", &mut report);
-            urdf::load::load_text(&source.name, text, options, report)
-        }
+    let loaded = if adams::is_dataset(source) {
+        adams::load_dataset(source, options)
+    } else {
+        load_xml(source, options)
     };
     let is_finding = |finding: &Diagnostic| finding.code != NOT_READ;
     let without_unread = |mut error: LoadError| {
@@ -50,6 +40,26 @@ pub fn load(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError>
     Ok(loaded)
 }
 
+/// Reads a model in XML.
+fn load_xml(source: &Source, options: &LoadOptions) -> Result<Loaded, LoadError> {
+    let mut report = Report::default();
+    let Some(text) = source.text(&mut report) else {
+        return Err(LoadError { diagnostics: report.finish(&source.name, "") });
+    };
+    let text = &*tolerant_text(&text, &mut report);
+    match xml::root_name(text) {
+        Some("sdf") => sdf::load::load_text(source, text, options, report),
+        Some("mujoco") => {
+            source.refuse_model("an MJCF", &mut report);
+            mjcf::load::load_text(source, text, options, report)
+        }
+        _ => {
+            source.refuse_model("a URDF", &mut report);
+            urdf::load::load_text(&source.name, text, options, report)
+        }
+    }
+}
+
 /// Codes of the findings about parts of a file that are no part of a mechanism.
 const UNREAD: [&str; 5] = [NOT_READ, "ignored", "unknown-element", "unknown-attribute", "stray-text"];
 
@@ -60,7 +70,7 @@ const FOREIGN_ENDINGS: [(&[&str], &str); 13] = [
     (&["rob"], "a robot of Klampt"),
     (&["lua"], "a Lua file, such as a model of RBDL"),
     (&["yaml", "yml"], "a YAML file"),
-    (&["adm", "cmd", "acf"], "a file of Adams"),
+    (&["cmd", "acf"], "a file of Adams View"),
     (&["pm"], "a suspension of rFactor"),
     (&["m", "mat", "mlx", "slx", "mdl"], "a file of MATLAB"),
     (&["py"], "a Python program"),
@@ -100,8 +110,8 @@ pub fn foreign_format(source: &Source) -> Option<LoadError> {
         FOREIGN_ENDINGS.iter().find(|(endings, _)| endings.contains(&&*ending))?.1
     };
     let message = format!(
-        "this is {kind}, which is not read. Read are URDF (<robot>), MJCF (<mujoco>) and SDFormat \
-         (<sdf>), and of suspensions sheets (.toml), \
+        "this is {kind}, which is not read. Read are URDF (<robot>), MJCF (<mujoco>), SDFormat \
+         (<sdf>) and datasets of Adams Solver (.adm), and of suspensions sheets (.toml), \
          tables of points (.csv, .xlsx), subsystems of Adams (.sub), JSON of Chrono::Vehicle, YAML of \
          Suspension Explorer and suspensions of rFactor (.pm): export one of these from the program that \
          wrote the file"

@@ -7,6 +7,7 @@ crate::pages! {
     contacts_mass "crates/cli/tests/cases/contacts/mass.md",
     contacts_named_contacts "crates/cli/tests/cases/contacts/named_contacts.md",
     contacts_questions "crates/cli/tests/cases/contacts/questions.md",
+    files_adams "crates/cli/tests/cases/files/adams.md",
     files_conversion_changes "crates/cli/tests/cases/files/conversion_changes.md",
     files_convert "crates/cli/tests/cases/files/convert.md",
     files_export "crates/cli/tests/cases/files/export.md",

@@ -1,8 +1,8 @@
 //! Construction of a mechanism from a source in URDF.
 
 use crate::hull::{build_with_shapes, collision_shapes};
-use crate::qpos::QposLayout;
 use crate::reading::document::files::Files;
+use crate::reading::document::qpos::QposLayout;
 use crate::reading::findings::Findings;
 use crate::reading::limits;
 use crate::reading::report::{Place, Report, cut, shortened};

@@ -392,7 +392,6 @@ fn files_of_other_formats_are_named() {
         ("a.rob", "### Metadata\nTParent 1", "Klampt"),
         ("a.LUA", "return {}", "RBDL"),
         ("a.yaml", "bodies: []", "YAML"),
-        ("a.adm", "ADAMS/View model", "Adams"),
         ("a.cmd", "model create", "Adams"),
         ("a.pm", "[BODY]", "rFactor"),
         ("a.m", "function a", "MATLAB"),

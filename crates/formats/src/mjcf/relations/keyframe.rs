@@ -3,8 +3,8 @@
 use crate::NamedPose;
 use crate::mjcf::bodies::body::{Bodies, JointType};
 use crate::mjcf::chain::Chains;
-use crate::qpos::{LengthJoint, QposError, QposJoint, QposLayout};
 use crate::reading::document::element_tree::{ElementId, ElementTree};
+use crate::reading::document::qpos::{LengthJoint, QposError, QposJoint, QposLayout};
 use crate::reading::findings::Findings;
 use crate::reading::limits::{MAX_ELEMENTS_PER_KIND, MAX_POSITIONS};
 use crate::reading::unique_names::UniqueNames;

@@ -3,3 +3,4 @@
 pub(crate) mod element_tree;
 pub(crate) mod files;
 pub(crate) mod grammar;
+pub(crate) mod qpos;

@@ -249,7 +249,7 @@ impl ActingForces {
         }
         for (joint, spring) in joint_springs(&evaluated.pose) {
             let Some(bar) = torsion_bar_of(evaluated.prepared.model, joint) else { continue };
-            bar.preload?;
+            has_spring |= bar.preload? != 0.0;
             let own = whole.springs.iter_mut().find(|own| own.joint == joint && own.stiffness > 0.0)?;
             if own.free_position.is_some() {
                 return None;
