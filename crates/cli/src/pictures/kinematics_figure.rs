@@ -35,7 +35,7 @@ fn panel_and_curve(column: &KinematicColumn, length_unit: LengthUnit) -> (String
         None => (column.quantity.replace('_', " "), format!("{}{side}", column.quantity.replace('_', " "))),
     };
     let label = match (name.as_str(), unit) {
-        ("motion ratio", _) => "motion ratio, contact/wheel".to_owned(),
+        ("motion ratio", "") => "motion ratio, contact/wheel".to_owned(),
         (_, "") => name,
         (_, unit) => format!("{name} ({unit})"),
     };

@@ -227,7 +227,7 @@ fn check_words(words: &[&str], outcome: &Outcome) {
 fn path_of(folder: &Scratch, word: &str) -> Option<String> {
     let kinds = [
         "toml", "urdf", "xml", "sdf", "json", "jsonl", "csv", "xlsx", "xlsm", "parquet", "svg", "png", "pdf",
-        "html", "stl", "obj", "ply", "txt", "h", "c", "yaml", "pm",
+        "html", "stl", "obj", "ply", "txt", "h", "c", "yaml", "pm", "adm",
     ];
     let kind = Path::new(word).extension().and_then(std::ffi::OsStr::to_str);
     let is_file = kind.is_some_and(|kind| kinds.contains(&kind)) || word.starts_with("./");

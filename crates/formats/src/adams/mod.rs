@@ -64,7 +64,7 @@ const SYSTEMS: [(&str, &str, &str); 4] = [
 /// Statements without an influence on the motion of the parts.
 const WITHOUT_EFFECT: &str = "ACCGRAV ADAMS ANALYSIS ARRAY CURVE DEBUG EQUILIBRIUM FEMDATA FINISH GRAPHICS GRAPHIC HOTPOINTS IC INTEGRATOR \
     KINEMATICS LIST LSOLVER MATERIAL MATRIX MREQUEST OUTPUT PINPUT PLANT POINT POUTPUT PREFERENCES REQUEST RESULTS SENSOR SPLINE STRING SURFACE \
-    TITLE UNITS VARIABLE GSE LSE TFSISO DIFF TIMER MESH PARAMETER";
+    TITLE VARIABLE GSE LSE TFSISO DIFF TIMER MESH PARAMETER";
 /// Forces: they have no influence on effective masses.
 const FORCES: &str =
     "BEAM BUSHING CONTACT FIELD FRICTION GFORCE MFORCE NFORCE SFORCE SPRINGDAMPER TIRE VFORCE VTORQUE";
@@ -137,7 +137,7 @@ impl Reader<'_> {
             let place = Place::Named(statement.at, &name);
             let is_in = |list: &str| list.split_whitespace().any(|word| word == statement.kind);
             match statement.kind.as_str() {
-                "PART" | "MARKER" => {}
+                "PART" | "MARKER" | "UNITS" => {}
                 "JOINT" | "JPRIM" => connections.extend(self.connection(statement, &index, &markers)),
                 "MOTION" => {
                     let joint = id_of(statement.value("JOINT"));
