@@ -169,6 +169,24 @@ fn a_mimic_is_not_varied_but_its_master_is() {
 }
 
 #[test]
+fn positions_of_mimics_are_in_the_rows_of_trees_and_within_their_limits() {
+    let model = r#"<robot name="r"><link name="g"/><link name="h"><inertial><mass value="1"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+      <link name="a"><inertial><origin xyz="0.1 0 0"/><mass value="2"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+      <link name="b"><inertial><origin xyz="0.1 0 0"/><mass value="3"/><inertia ixx="0.01" ixy="0" ixz="0" iyy="0.01" iyz="0" izz="0.01"/></inertial></link>
+      <joint name="s" type="continuous"><parent link="g"/><child link="h"/><axis xyz="0 0 1"/></joint>
+      <joint name="p" type="prismatic"><parent link="h"/><child link="a"/><axis xyz="0 1 0"/></joint>
+      <joint name="q" type="prismatic"><parent link="h"/><child link="b"/><axis xyz="0 -1 0"/><limit lower="0" upper="0.05" effort="1" velocity="1"/><mimic joint="p" multiplier="2" offset="0.01"/></joint></robot>"#;
+    let line = "sweep - --link a --point 0.2,0,0 --normal 0,1,0 --vary p=0:0.04:5";
+    let rows = support::percuss_with_stdin(line, model.as_bytes());
+    let sweep = Sweep::read(&rows.stdout);
+    for row in 0..5 {
+        let master = sweep.number(row, "p").unwrap();
+        assert_eq!(sweep.number(row, "q").unwrap(), 2.0 * master + 0.01);
+    }
+    assert!(rows.stderr.contains("\"q\" is at 0.07"), "{}", rows.stderr);
+}
+
+#[test]
 fn json_svg_and_png_are_written() {
     let folder = Scratch::new("sweep-files");
     let run = |ending: &str| {

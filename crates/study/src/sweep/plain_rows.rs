@@ -13,7 +13,7 @@ use percuss_dynamics::{
     Batch, BatchPositions, BatchRows, Contact, DrivenPath, GivenPositions, Pose, RemarkFlags, RowColumns,
     RowResults,
 };
-use percuss_mechanism::JointId;
+use percuss_mechanism::{JointId, Mimic};
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -98,6 +98,8 @@ pub(crate) struct TreeRows {
     base: Vec<f64>,
     /// Index in `base` of each number of a row.
     indices: Vec<usize>,
+    /// Index of the position of each joint that mimics another, with that of the other and the relation.
+    mimics: Vec<(usize, usize, Mimic)>,
     findings: PlainFindings,
 }
 
@@ -110,7 +112,7 @@ pub(crate) struct TreeResults {
 }
 
 impl TreeRows {
-    /// SIMD evaluation; `None` if the rows require poses: loops, mimics, or other requests than m̄.
+    /// SIMD evaluation; `None` if the rows require poses: loops, or other requests than m̄.
     pub fn new(prepared: &PreparedQuestion, layout: &RowLayout, contact: &Contact) -> Option<Self> {
         let system = &prepared.system;
         let mechanism = system.mechanism();
@@ -124,6 +126,10 @@ impl TreeRows {
         for (joint, numbers) in layout.joints() {
             numbers.clone().zip(places[joint.index()].clone()).for_each(|(number, to)| indices[number] = to);
         }
+        let mimic = |id: JointId| {
+            let mimic = mechanism.joint(id).mimic()?;
+            Some((places[id.index()].start, places[mimic.master.index()].start, mimic))
+        };
         // A generic sample.
         let values: Vec<f64> = (0..layout.width()).map(|i| 0.1 + (0.618 * i as f64).fract()).collect();
         let pose = system.pose(&layout.configuration(&values, false).ok()?).ok()?;
@@ -132,6 +138,7 @@ impl TreeRows {
             has_gradient: false,
             base: mechanism.joint_ids().flat_map(|id| prepared.configuration.get(id)).copied().collect(),
             indices,
+            mimics: mechanism.joint_ids().filter_map(mimic).collect(),
             findings: PlainFindings::near(prepared, contact, &pose)?,
         })
     }
@@ -179,6 +186,9 @@ impl TreeRows {
         }
         let mut positions = self.base.clone();
         self.indices.iter().zip(values).for_each(|(index, value)| positions[*index] = *value);
+        for (own, master, mimic) in &self.mimics {
+            positions[*own] = mimic.multiplier * positions[*master] + mimic.offset;
+        }
         let velocities = results.gradients.len() / results.rows.masses.len();
         let gradient = || results.gradients[at * velocities..][..velocities].to_vec();
         Some(PlainRow {
