@@ -360,3 +360,105 @@ fn ranges_around_every_pose_are_proved() {
         assert!(found.most.is_proved && found.least.is_some_and(|least| least.is_proved), "{x}: {within:?}");
     }
 }
+
+/// System of a URDF text, with its pose at zero.
+fn of_text(text: &str) -> (System, Pose) {
+    let source = percuss_formats::Source::from_text("text.urdf", text);
+    let loaded = percuss_formats::load(&source, &Default::default()).unwrap();
+    let system = System::new(loaded.mechanism, &Conditions::new()).unwrap();
+    let pose = system.pose(&system.configuration()).unwrap();
+    (system, pose)
+}
+
+/// Implied and omitted rows of a linkage whose coupler has the closed form of models/four_bar.urdf in its plane; `None` without a proof.
+fn rows_of_four_bar(text: &str) -> Option<(usize, usize)> {
+    let (system, pose) = of_text(text);
+    let coupler = system.mechanism().find_link("coupler").unwrap();
+    let contact = Contact::new(coupler, [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
+    let found = pose.certify(&contact).ok()?;
+    let m = 417304.0 / 6125.0;
+    assert!(found.lower <= m && m <= found.upper && found.upper / found.lower - 1.0 < 1e-10, "{found:?}");
+    assert_eq!(found.rows, 5);
+    Some((found.implied, found.omitted.len()))
+}
+
+/// The axes of a planar loop are proved parallel on a tilted frame and with parts at different heights; a height that is wrong by 1e-12 m is
+/// no planar loop.
+#[test]
+fn planar_loops_are_proved_on_tilted_frames_and_at_different_heights() {
+    let text = std::fs::read_to_string(format!("{}/../models/four_bar.urdf", env!("CARGO_MANIFEST_DIR")));
+    let drawn = text.unwrap();
+    let tilted = drawn
+        .replace("<link name=\"ground\"/>", "<link name=\"ground\"/><link name=\"table\"/><joint name=\"tilt\" type=\"fixed\"><parent link=\"ground\"/><child link=\"table\"/><origin xyz=\"0.1 0.2 0.3\" rpy=\"0.3 0.2 0.1\"/></joint>")
+        .replace("<parent link=\"ground\"/>\n", "<parent link=\"table\"/>\n");
+    let raised = |rocker: &str| {
+        tilted
+            .replace("<child link=\"crank\"/>", "<child link=\"crank\"/><origin xyz=\"0 0 0.1\"/>")
+            .replace("xyz=\"0 0.3 0\"/>", "xyz=\"0 0.3 0.07\"/>")
+            .replace("xyz=\"0.65 0 0\"", &format!("xyz=\"0.65 0 {rocker}\""))
+            .replace("xyz=\"-0.25 0.6 0\"", "xyz=\"-0.25 0.6 0.07\"")
+    };
+    assert_ne!(raised("0.1"), tilted);
+    for text in [&drawn, &tilted, &raised("0.1")] {
+        assert_eq!(rows_of_four_bar(text), Some((3, 0)));
+    }
+    // The parallel axes are still proved.
+    assert_eq!(rows_of_four_bar(&raised("0.100000000001")), Some((2, 1)));
+    // A tilt of one axis.
+    let skew = tilted.replace(
+        "<axis xyz=\"0 0 1\"/>\n  </joint>\n  <joint name=\"rocker_hinge\"",
+        "<axis xyz=\"0 1e-12 1\"/>\n  </joint>\n  <joint name=\"rocker_hinge\"",
+    );
+    assert_ne!(skew, tilted);
+    assert_eq!(rows_of_four_bar(&skew), Some((0, 3)));
+}
+
+/// Four hinges with axes through one point: the origins of the closure coincide at all positions. m̄ is that of percuss.
+#[test]
+fn spherical_loops_are_proved() {
+    let rotation = |rpy: [f64; 3]| percuss_spatial::rotation_from_rpy(rpy);
+    let words = |rpy: [f64; 3]| rpy.map(|x| x.to_string()).join(" ");
+    let mut rng = StdRng::seed_from_u64(57);
+    for number in 0..20 {
+        let mut turn = || [0, 1, 2].map(|_| rng.random_range(-1.0..1.0_f64));
+        let [crank, coupler, rocker, pin] = [turn(), turn(), turn(), turn()];
+        // X of the loop frame in the rocker, closed as drawn.
+        let other = rotation(rocker).transpose() * rotation(crank) * rotation(coupler) * rotation(pin);
+        let other = percuss_spatial::rpy_from_rotation(&other);
+        let centre = if number % 2 == 0 { "0 0 0" } else { "0.3 0.1 -0.2" };
+        // A loop frame beside the centre, on the axis, is one without a proof.
+        let beside = if number % 5 == 4 { 0.1 } else { 0.0 };
+        let point = |rpy: [f64; 3]| words((rotation(rpy) * Vector3::z() * beside).into());
+        let inertial = "<inertial><origin xyz='0.1 0.2 0.3'/><mass value='2'/><inertia ixx='0.1' iyy='0.12' izz='0.15' ixy='0' ixz='0' iyz='0'/></inertial>";
+        let joint = |name: &str, parent: &str, xyz: &str, rpy: [f64; 3]| {
+            format!(
+                "<link name='{name}'>{inertial}</link><joint name='to_{name}' type='continuous'><parent link='{parent}'/><child link='{name}'/>\
+                 <origin xyz='{xyz}' rpy='{}'/><axis xyz='0 0 1'/></joint>",
+                words(rpy)
+            )
+        };
+        let text = format!(
+            "<robot name='spherical'><link name='ground'/>{}{}{}<loop name='pin' type='revolute'><predecessor link='coupler'>\
+             <origin xyz='{}' rpy='{}'/></predecessor><successor link='rocker'><origin xyz='{}' rpy='{}'/></successor>\
+             <axis xyz='0 0 1'/></loop></robot>",
+            joint("crank", "ground", centre, crank),
+            joint("coupler", "crank", "0 0 0", coupler),
+            joint("rocker", "ground", centre, rocker),
+            point(pin),
+            words(pin),
+            point(other),
+            words(other),
+        );
+        let (system, pose) = of_text(&text);
+        let contact =
+            Contact::new(system.mechanism().find_link("coupler").unwrap(), [0.3, 0.2, 0.1], [0.0, 1.0, 0.0]);
+        let m = mass(&pose, &contact);
+        let found = pose.certify(&contact).unwrap();
+        assert!(
+            found.lower <= m * (1.0 + 1e-12) && m * (1.0 - 1e-12) <= found.upper,
+            "{number}: {m} {found:?}"
+        );
+        let is_proved = beside == 0.0;
+        assert_eq!((found.implied == 3, found.omitted.is_empty()), (is_proved, is_proved), "{number}");
+    }
+}

@@ -567,8 +567,6 @@ pub(crate) const RADIUS_STEP: f64 = 0.8;
 pub(crate) const LEAST_RADIUS: f64 = 1e-12;
 /// Least radius of the box of an assembly, rad or m: the rounding of its positions.
 pub(crate) const LEAST_BOX: f64 = 1e-15;
-/// Range of each position in the proof that a row is zero everywhere, rad or m.
-pub(crate) const EVERYWHERE: f64 = 1e3;
 /// Smallest accepted pivot of the rows in a proof, relative to the largest entry: smaller ones give no proof in `f64`.
 pub(crate) const LEAST_PROVED_PIVOT: f64 = 1e-7;
 /// Number of steps of Newton for a start far from the assembly of a proof.

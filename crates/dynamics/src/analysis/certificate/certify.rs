@@ -34,13 +34,13 @@ impl Pose {
             return Err(NoCertificate::Immovable);
         }
         let [lower, upper] = bounds.mass();
-        let (omitted, implied) = problem.omitted(&closed);
+        let (omitted, implied) = (problem.omitted(&closed), problem.loops.implied);
         let is_tree = problem.loops.is_empty();
         Ok(MassCertificate {
             lower,
             upper,
             uniqueness: if is_tree { None } else { problem.closing().uniqueness(&closed) },
-            rows: problem.loops.names.len(),
+            rows: problem.loops.names.len() + implied,
             implied,
             omitted,
         })

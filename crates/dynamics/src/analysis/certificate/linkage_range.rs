@@ -95,7 +95,7 @@ pub(super) fn enclose(
     };
     let lower = done.iter().map(|piece| piece.within[0]).fold(f64::INFINITY, f64::min);
     let upper = done.iter().map(|piece| piece.within[1]).fold(0.0, f64::max);
-    let omitted = problem.close(&problem.q).map(|closed| problem.omitted(&closed).0)?;
+    let omitted = problem.close(&problem.q).map(|closed| problem.omitted(&closed))?;
     Ok(ExtremesCertificate {
         least: Some(bracket(lower, small.0[1], small.2)),
         most: bracket(large.0[0], upper, large.2),

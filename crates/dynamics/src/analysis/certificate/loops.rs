@@ -1,13 +1,14 @@
 //! Loops in intervals: rows of the closures and couplings, proof of the assembly by the operator of Krawczyk.
 
 use super::plan::{On, Placement, Plan, written, written_transform, written_vector};
-use crate::model::{Constraint, Model};
+use super::subgroup::Circuit;
+use crate::model::{CompiledClosure, Constraint, Model};
 use crate::tolerances::{
-    DRAWN_READING, EVERYWHERE, LEAST_BOX, LEAST_PROVED_PIVOT, LEAST_RADIUS, MOST_PROOF_BOXES,
-    PROOF_NEWTON_STEPS, RADIUS_STEP, WIDEST_PROOF,
+    DRAWN_READING, LEAST_BOX, LEAST_PROVED_PIVOT, LEAST_RADIUS, MOST_PROOF_BOXES, PROOF_NEWTON_STEPS,
+    RADIUS_STEP, WIDEST_PROOF,
 };
 use nalgebra::{DMatrix, Vector3};
-use percuss_mechanism::ClosureKind;
+use percuss_mechanism::{ClosureKind, Mechanism};
 use percuss_spatial::{Interval, Scalar, Transform, Wrench};
 
 /// Component of the relative position of the two loop frames that is zero.
@@ -28,7 +29,7 @@ struct Closure {
     successor: On<Interval>,
     forms: Vec<Form>,
     /// Directions of the predecessor and of the successor with a positive cosine: other zeros of the forms are no assemblies.
-    aligned: Vec<(Vector3<Interval>, Vector3<Interval>)>,
+    aligned: Aligned,
     /// Bodies of the loop with their sense.
     path: Vec<(usize, f64)>,
 }
@@ -47,6 +48,8 @@ pub(super) struct Loops {
     couplings: Vec<Coupling>,
     /// Name of the constraint of each row.
     pub names: Vec<String>,
+    /// Number of further rows, which are zero at all positions.
+    pub implied: usize,
 }
 
 /// Rows at a pose.
@@ -74,8 +77,9 @@ impl Loops {
         links: &[On<Interval>],
         bodies: &[usize],
     ) -> Option<Self> {
-        let mut loops = Self { closures: Vec::new(), couplings: Vec::new(), names: Vec::new() };
+        let mut loops = Self { closures: Vec::new(), couplings: Vec::new(), names: Vec::new(), implied: 0 };
         let mechanism = &model.mechanism;
+        let floats = model.link_frames[mechanism.root().index()].body.is_some();
         for constraint in model.groups.iter().flat_map(|group| &group.constraints) {
             match constraint.constraint {
                 Constraint::Hold(_) => return None,
@@ -99,37 +103,8 @@ impl Loops {
                         On { body: link.body, frame: link.frame * written_transform(&end.frame) }
                     };
                     let (predecessor, successor) = (end(own.predecessor()), end(own.successor()));
-                    let unit = written_vector;
-                    let axes = [Vector3::x(), Vector3::y(), Vector3::z()]
-                        .map(|e: Vector3<f64>| e.map(Interval::point));
-                    let [n1, n2] = compiled.normals.each_ref().map(unit);
-                    let (a, b) = (unit(&compiled.axis), unit(&compiled.successor_axis));
-                    let point = axes.map(Form::Along);
-                    let turns = [1, 2, 0].map(|k: usize| Form::Cosine(axes[k], axes[(k + 1) % 3]));
-                    let parallel = [Form::Cosine(n1, b), Form::Cosine(n2, b)];
-                    let across = [Form::Along(n1), Form::Along(n2)];
-                    let fixed: Vec<_> = axes.iter().map(|e| (*e, *e)).collect();
-                    let (forms, aligned): (Vec<Form>, _) = match compiled.kind {
-                        ClosureKind::Fixed => ([point, turns].concat(), fixed),
-                        ClosureKind::Prismatic => ([&across[..], &turns].concat(), fixed),
-                        ClosureKind::Revolute => ([&point[..], &parallel].concat(), vec![(a, b)]),
-                        ClosureKind::Cylindrical => ([across, parallel].concat(), vec![(a, b)]),
-                        ClosureKind::Universal => {
-                            ([&point[..], &[Form::Cosine(a, unit(&compiled.axis2))]].concat(), vec![])
-                        }
-                        ClosureKind::Planar => ([&[Form::Along(a)][..], &parallel].concat(), vec![(a, b)]),
-                        ClosureKind::Spherical => (point.to_vec(), vec![]),
-                        ClosureKind::Distance => {
-                            // A distance as drawn has the roundings of the frames as drawn.
-                            let drawn = Interval::around(
-                                compiled.distance,
-                                DRAWN_READING,
-                                mechanism.characteristic_length(),
-                            );
-                            let distance = own.distance().map_or(drawn, written);
-                            (vec![Form::Distance(distance)], vec![])
-                        }
-                    };
+                    let (forms, aligned) = closure_forms(mechanism, own, compiled, floats);
+                    loops.implied += compiled.kind.rows() - forms.len();
                     let path = plan.support(successor.body, predecessor.body);
                     loops.names.extend(forms.iter().map(|_| compiled.name.clone()));
                     loops.closures.push(Closure { predecessor, successor, forms, aligned, path });
@@ -195,18 +170,6 @@ impl Loops {
         Rows { residuals, matrix }
     }
 
-    /// Rows that are zero at all positions: residual and derivatives are exactly [0, 0] over wide ranges of all joints.
-    pub fn zero_rows(&self, plan: &Plan<Interval>, positions: usize) -> Vec<bool> {
-        let everywhere = vec![Interval::symmetric(EVERYWHERE); positions];
-        let rows = self.rows(plan, &everywhere, &plan.placements(&everywhere));
-        let is_zero = |x: &Interval| *x == Interval::point(0.0);
-        rows.residuals
-            .iter()
-            .zip(&rows.matrix)
-            .map(|(r, row)| is_zero(r) && row.iter().all(is_zero))
-            .collect()
-    }
-
     /// True if aligned directions of all closures have a positive cosine.
     fn is_aligned(&self, plan: &Plan<Interval>, q: &[Interval]) -> bool {
         let frames = plan.frames(&plan.placements(q));
@@ -215,6 +178,65 @@ impl Loops {
             let (x_rp, x_rs) = (at(&closure.predecessor), at(&closure.successor));
             closure.aligned.iter().all(|(e, b)| x_rp.vector(e).dot(&x_rs.vector(b)).lo() > 0.0)
         })
+    }
+}
+
+/// Directions of the predecessor and of the successor that are parallel.
+type Aligned = Vec<(Vector3<Interval>, Vector3<Interval>)>;
+
+/// Zero components of a closure, without those that the joints of the tree imply at all positions; and the aligned directions. `floats`: true
+/// for a floating root link.
+fn closure_forms(
+    mechanism: &Mechanism,
+    closure: &percuss_mechanism::Closure,
+    compiled: &CompiledClosure,
+    floats: bool,
+) -> (Vec<Form>, Aligned) {
+    let unit = written_vector;
+    let axes = [0, 1, 2].map(|k| Vector3::ith(k, 1.0));
+    let [n1, n2] = compiled.normals.each_ref().map(unit);
+    let (a, b) = (unit(&compiled.axis), unit(&compiled.successor_axis));
+    // Rows that the joints of the tree imply at all positions are left out.
+    let circuit = Circuit::new(mechanism, closure, floats);
+    let keeps = |directions| circuit.as_ref()?.keeps_direction(directions);
+    let along_axis = keeps([&compiled.axis, &compiled.successor_axis]);
+    let of_frame = [0, 1, 2].map(|k| keeps([&axes[k], &axes[k]]));
+    let is_planar = |k: usize| of_frame[k] == Some(true);
+    let axes = axes.map(|e: Vector3<f64>| e.map(Interval::point));
+    let across = [Form::Along(n1), Form::Along(n2)];
+    let point = match () {
+        () if circuit.as_ref().is_some_and(Circuit::keeps_origin) => Vec::new(),
+        () if along_axis == Some(true) => across.to_vec(),
+        () => (0..3).filter(|k| !is_planar(*k)).map(|k| Form::Along(axes[k])).collect(),
+    };
+    let turns = [(1, 2), (2, 0), (0, 1)].into_iter().filter(|(i, k)| of_frame[*i].or(of_frame[*k]).is_none());
+    let turns: Vec<Form> = turns.map(|(i, k)| Form::Cosine(axes[i], axes[k])).collect();
+    let parallel = match along_axis {
+        Some(_) => Vec::new(),
+        None => vec![Form::Cosine(n1, b), Form::Cosine(n2, b)],
+    };
+    let fixed: Vec<_> = axes.iter().map(|e| (*e, *e)).collect();
+    match compiled.kind {
+        ClosureKind::Fixed => ([point, turns].concat(), fixed),
+        ClosureKind::Prismatic => {
+            let is_zero = |n: &Vector3<f64>| (0..3).any(|k| is_planar(k) && n[k].abs() == 1.0);
+            let normals = compiled.normals.iter().filter(|n| !is_zero(n));
+            (normals.map(|n| Form::Along(unit(n))).chain(turns).collect(), fixed)
+        }
+        ClosureKind::Revolute => ([point, parallel].concat(), vec![(a, b)]),
+        ClosureKind::Cylindrical => ([&across[..], &parallel].concat(), vec![(a, b)]),
+        ClosureKind::Universal => ([&point[..], &[Form::Cosine(a, unit(&compiled.axis2))]].concat(), vec![]),
+        ClosureKind::Planar => {
+            let along = (along_axis != Some(true)).then_some(Form::Along(a));
+            (along.into_iter().chain(parallel).collect(), vec![(a, b)])
+        }
+        ClosureKind::Spherical => (point, vec![]),
+        ClosureKind::Distance => {
+            // A distance as drawn has the roundings of the frames as drawn.
+            let drawn = Interval::around(compiled.distance, DRAWN_READING, mechanism.characteristic_length());
+            let distance = closure.distance().map_or(drawn, written);
+            (vec![Form::Distance(distance)], vec![])
+        }
     }
 }
 

@@ -13,6 +13,7 @@ mod plan;
 mod problem;
 mod range;
 mod records;
+mod subgroup;
 
 pub use records::{
     BranchProof, CertifiedTree, ExtremeBracket, ExtremesCertificate, MassCertificate, NoCertificate,

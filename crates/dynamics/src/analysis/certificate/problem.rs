@@ -105,12 +105,10 @@ impl<'a> Problem<'a> {
         Ok(closed)
     }
 
-    /// Omitted rows without a proof that they are implied, with their residuals; and the number of implied rows.
-    pub fn omitted(&self, closed: &Closed) -> (Vec<(String, f64)>, usize) {
-        let zero = self.loops.zero_rows(&self.plan, self.model.positions);
+    /// Omitted rows without a proof that they are implied, with their residuals.
+    pub fn omitted(&self, closed: &Closed) -> Vec<(String, f64)> {
         let residuals = self.loops.rows(&self.plan, &closed.q, &self.plan.placements(&closed.q)).residuals;
-        let omitted = (0..zero.len()).filter(|row| !zero[*row] && !closed.rows.contains(row));
-        let omitted = omitted.map(|row| (self.loops.names[row].clone(), residuals[row].magnitude()));
-        (omitted.collect(), zero.iter().filter(|zero| **zero).count())
+        let omitted = (0..residuals.len()).filter(|row| !closed.rows.contains(row));
+        omitted.map(|row| (self.loops.names[row].clone(), residuals[row].magnitude())).collect()
     }
 }
