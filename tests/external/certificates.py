@@ -1,4 +1,4 @@
-"""Proofs of `percuss extremes --certify`, checked by docs/explanation/check_certificate.py, which does not use percuss; altered proofs must
+"""Proofs of `percuss extremes --certify` and `percuss safe-speed --certify`, checked by docs/explanation/check_certificate.py, which does not use percuss; altered proofs must
 be rejected. Sines and cosines of the checker are compared with mpmath, if it is installed.
 
     certificates.py PERCUSS"""
@@ -18,7 +18,8 @@ QUESTIONS = [
 
 
 def narrower(report, side, end, factor):
-    report['certificate'][side][end] *= factor
+    if report['certificate'][side]:
+        report['certificate'][side][end] *= factor
 
 
 def heavier(report, factor):
@@ -36,7 +37,36 @@ def uncovered(report):
     report['certificate']['most']['divisions'].pop()
 
 
+def moved(report):
+    """Moves the contact point of a force."""
+    row = report['certificate']['tree']['contact']
+    row[3:9] = [x if row[1] else 1.2 * x + 0.03 for x in row[3:9]]
+
+
+def elsewhere(report, side):
+    """States the other end of the first range for the best positions."""
+    _, lower, upper = report['certificate']['tree']['ranges'][0]
+    best = (report['certificate'][side] or {'positions': [0]})['positions']
+    best[0] = lower if best[0] > 0.5 * (lower + upper) else upper
+
+
+def longer(report):
+    """Moves the joint frames away from their parents."""
+    for row in report['certificate']['tree']['bodies']:
+        row[30:36] = [1.1 * x for x in row[30:36]]
+
+
+def outside(report):
+    report['certificate']['most']['positions'][0] += 10.0
+
+
 ALTERATIONS = {
+    'another contact point': moved,
+    'other positions of the largest m̄': lambda report: elsewhere(report, 'most'),
+    'other positions of the smallest m̄': lambda report: elsewhere(report, 'least'),
+    'longer links': longer,
+    'positions outside the ranges': outside,
+    'a range as the division of a sufficient box': lambda report: report['certificate']['most']['divisions'].insert(0, 0),
     'a smaller upper bound of the largest m̄': lambda report: narrower(report, 'most', 'upper', 0.97),
     'a larger lower bound of the largest m̄': lambda report: narrower(report, 'most', 'lower', 1.03),
     'a larger lower bound of the smallest m̄': lambda report: narrower(report, 'least', 'lower', 1.03),
@@ -47,6 +77,12 @@ ALTERATIONS = {
     'a missing box': uncovered,
     'a larger tolerance of the masses': lambda report: report['certificate'].update(mass_tolerance=report['certificate']['mass_tolerance'] + 0.05),
 }
+
+
+SURFACES = [
+    ['shaped_arm.urdf', '--link', 'finger', '--point', '0,0,0', '--normal', '0,0,1', '--region', 'chest', '--force', '280', '--surface',
+     '--range', 'elbow=50deg:70deg', '--range', 'shoulder=-10deg:10deg'],
+]
 
 
 def check(report, folder):
@@ -78,10 +114,12 @@ def sines(count):
 def main():
     percuss, failures = sys.argv[1], []
     with tempfile.TemporaryDirectory() as folder:
-        for question in QUESTIONS:
+        questions = [('extremes', question + ['--starts', '4']) for question in QUESTIONS]
+        for name, question in questions + [('safe-speed', question) for question in SURFACES]:
             model = os.path.join(ROOT, 'models', question[0])
-            command = [percuss, 'extremes', model, *question[1:], '--certify', '2%', '--starts', '4', '--format', 'json']
+            command = [percuss, name, model, *question[1:], '--certify', '2%', '--format', 'json']
             report = json.loads(subprocess.run(command, capture_output=True, text=True, check=True, timeout=600).stdout)
+            report = report if 'certificate' in report else report['proved']
             code, said = check(report, folder)
             print(question[0], said.strip())
             if code != 0:

@@ -108,6 +108,7 @@ else
   check impact_models "$venv/bin/python" "$here/impact_models.py" --percuss "$percuss"
   check sdf env PYTHONPATH="$here" "$drake/bin/python" "$here/sdf.py" --percuss "$percuss"
   robots=$("$venv/bin/python" -c 'import site; print(site.getsitepackages()[0])')/cmeel.prefix/share/example-robot-data/robots
+  check certified_points "$venv/bin/python" "$here/certified_points.py" "$percuss"
   check certificates "$venv/bin/python" "$here/certificates.py" "$percuss"
   check generated_code "$venv/bin/python" "$here/generated_code.py" "$percuss" "$robots" 8
   # The shipped models: route A against the oracle's route C.

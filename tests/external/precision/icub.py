@@ -17,7 +17,6 @@ import xml.etree.ElementTree as ElementTree
 import numpy as np
 from mpmath import mpf
 
-import percuss
 from mechanics import Mechanism, Position, by_recursion
 
 # Rows of a batch, which has one contact per link.
@@ -60,6 +59,8 @@ def rows_of(path):
 
 
 def main():
+    import percuss
+
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("urdf")
     parser.add_argument("--rows", type=int, default=1200)
