@@ -16,8 +16,10 @@ const PROOF: RangeProof = RangeProof {
     budget: 300,
     mass_tolerance: 0.0,
     only_largest: false,
-    cone: 0.0,
+    cone: [0.0; 2],
     edges: [[0.0; 3]; 2],
+    is_disc: false,
+    known: 0.0,
 };
 
 /// A shipped model with joints set, and a contact along a world normal.
@@ -251,7 +253,7 @@ fn cones_of_normals_and_facets_of_points_are_enclosed() {
     for frame in [Frame::World, Frame::Link] {
         let given = Vector3::new(0.1, -0.2, -1.0).normalize();
         let contact = contact.normal(Direction::Along(given, frame));
-        let proof = RangeProof { budget: 3_000, cone, edges, ..PROOF };
+        let proof = RangeProof { budget: 3_000, cone: [0.0, cone], edges, ..PROOF };
         let found = pose.certify_extremes(&contact, &ranges, proof).unwrap();
         let (least, most) = (found.least.unwrap(), found.most);
         assert!(least.lower > 0.0 && most.upper.is_finite() && found.tree.is_some(), "{frame:?} {most:?}");
@@ -306,7 +308,8 @@ fn cones_of_normals_and_facets_of_points_are_enclosed() {
     // Against a body, along a line, and on loops there is no proof.
     let (_, pose, contact) = shipped("four_bar.urdf", &[], "coupler", [0.35, 0.1, 0.0], [0.0, 1.0, 0.0]);
     let crank = pose.mechanism().find_joint("crank_hinge").unwrap();
-    let refused = pose.certify_extremes(&contact, &[(crank, 0.1, 0.2)], RangeProof { cone, ..PROOF });
+    let refused =
+        pose.certify_extremes(&contact, &[(crank, 0.1, 0.2)], RangeProof { cone: [0.0, cone], ..PROOF });
     assert_eq!(refused.unwrap_err(), NoCertificate::VariedContact);
 }
 
@@ -327,7 +330,8 @@ fn a_rod_has_its_closed_form_over_points_and_normals() {
     let contact = Contact::new(rod, [0.5, 0.0, 0.0], [0.0, 1.0, 0.0]);
     let pose = system.pose(&system.configuration()).unwrap();
     let (cone, edge) = (0.4_f64, [0.3, 0.0, 0.0]);
-    let proof = RangeProof { tolerance: 1e-3, budget: 20_000, cone, edges: [edge, [0.0; 3]], ..PROOF };
+    let proof =
+        RangeProof { tolerance: 1e-3, budget: 20_000, cone: [0.0, cone], edges: [edge, [0.0; 3]], ..PROOF };
     let found = pose.certify_extremes(&contact, &[(hinge, -1.0, 1.0)], proof).unwrap();
     let expected = [1.0 / 3.0 / 0.8_f64.powi(2), 1.0 / 3.0 / (0.5 * cone.cos()).powi(2)];
     let edges = [Vector3::from(edge)];

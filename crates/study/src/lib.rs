@@ -155,9 +155,9 @@ pub use reports::mass_report::{
     TravelRecord,
 };
 pub use reports::pose_at_stop::{pose_at_stop, pose_at_stop_with_findings};
-pub use reports::safe_speed::{
-    AlongRecord, ProvedSpeedRecord, ReachableSpeedRecord, SafeSpeedReport, SpeedRecord, safe_speeds,
-};
+pub use reports::safe_speed::proved::{ProvedPatchRecord, ProvedSpeedRecord};
+pub use reports::safe_speed::report::{AlongRecord, ReachableSpeedRecord, SafeSpeedReport, safe_speeds};
+pub use reports::safe_speed::speed::SpeedRecord;
 pub use reports::tolerance::{
     SampleRecord, ToleranceEffect, ToleranceParts, ToleranceReport, tolerance_report,
 };

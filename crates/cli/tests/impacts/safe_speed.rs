@@ -61,3 +61,32 @@ fn a_direction_without_give_leaves_the_persons_mass() {
         );
     }
 }
+
+/// The bound for the surface of a link covers the largest m̄ of its map at every pose in the ranges, and is not far above; a link that can be
+/// pushed towards its axis has the speed of an immovable robot.
+#[test]
+fn proved_speeds_cover_the_surface_of_a_link() {
+    let range = "--range shoulder=-10deg:10deg --range elbow=50deg:70deg --certify 2% --surface";
+    let limit = "--region chest --force 280 --format json";
+    for (link, parts, is_bounded) in
+        [("forearm", 6, true), ("finger", 36, true), ("upper_arm", 3, false), ("turret", 1, false)]
+    {
+        let contact = format!("models/shaped_arm.urdf --link {link} --point 0,0,0.01 --normal 0,0,1");
+        let report = json(&format!("safe-speed {contact} {range} {limit}"));
+        let proved = &report["proved"];
+        assert_eq!(proved["surface"]["patches"], parts, "{link}");
+        let Some(upper) = proved["speed"]["robot_mass"].as_f64() else {
+            assert!(!is_bounded && proved["speed"]["speed"].as_f64() > Some(0.0), "{link}");
+            continue;
+        };
+        assert!(is_bounded && proved["is_sharp"] == true, "{link}: {upper}");
+        let mut largest = 0.0_f64;
+        for (shoulder, elbow) in [(-10, 50), (-10, 70), (10, 50), (10, 70), (3, 61)] {
+            let map = json(&format!(
+                "map models/shaped_arm.urdf --link {link} --set shoulder={shoulder}deg --set elbow={elbow}deg --edge 5mm --format json"
+            ));
+            largest = largest.max(map["links"][0]["largest"]["effective_mass"].as_f64().expect("a mass"));
+        }
+        assert!(largest <= upper && upper < 1.1 * largest, "{link}: {largest} {upper}");
+    }
+}

@@ -2104,14 +2104,33 @@ class PointSpringRecord(Record):
     """Force at the end of the contact, N."""
 
 
+class ProvedPatchRecord(Record):
+    """Part of the surface of a link with the largest bound of m̄."""
+
+    link: str
+    """The link."""
+    patches: int
+    """Number of parts of the surface."""
+    point: list[float]
+    """First point of the part in the frame of the link, m: on the axis of a curved part."""
+    normal: list[float]
+    """Outward normal of a flat part; axis of a curved part."""
+    edges: list[list[float]]
+    """Edges of the part from the point, m; the radius of a disc, the length of a cylinder."""
+    is_curved: bool
+    """True for a part of a sphere or a cylinder."""
+
+
 class ProvedSpeedRecord(Record):
     """Speed that holds for all positions in ranges of joints, for rigid links, ideal joints, and the numbers of the model as
     read."""
 
     speed: SpeedRecord | None
-    """Speed for the upper bound of m̄; None without a bound."""
+    """Speed for the upper bound of m̄, and for an immovable robot if no bound is proved; None without a certificate."""
     is_sharp: bool
     """True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary."""
+    surface: ProvedPatchRecord | None
+    """Part of the surface with the largest bound; None for the contact of the question."""
     segments: int | None
     """Number of segments between rows of positions; None for ranges."""
     slowest_segment: int | None
@@ -2120,7 +2139,7 @@ class ProvedSpeedRecord(Record):
     """Share of the positions at which the standard's mass is too small: m̄ of the given normal and point at sampled positions
     of the ranges, or segments with a proved larger m̄. From 0 to 1; None without an answer."""
     certificate: ExtremesCertificateRecord
-    """Proved bounds of the largest m̄ over the ranges, or over the segment with the largest bound."""
+    """Proved bounds of the largest m̄ over the ranges, or over the segment and the part of the surface with the largest bound."""
 
 
 class RatesAfterRecord(Record):

@@ -11,7 +11,7 @@ use percuss_impact::{ExtremesError, JointRange, NormalRange, driving_joints};
 use percuss_mechanism::{JointId, JointKind, Mechanism};
 use percuss_units::{Dimension, Quantity};
 
-/// Proved bounds over the ranges of a question. `only_largest`: only of the largest m̄.
+/// Proved bounds over the ranges of a question.
 ///
 /// # Errors
 /// [`StudyError`]: no pose at the middle of the ranges; a stiffness or a speed of another dimension.
@@ -20,15 +20,47 @@ pub(crate) fn prove(
     pose: &Pose,
     contact: &Contact,
     question: &ExtremesQuestion,
-    only_largest: bool,
 ) -> Result<ExtremesCertificateRecord, StudyError> {
+    let ranges = wide_ranges(prepared, pose, question)?;
+    prove_over(prepared, pose, contact, &ranges, question, range_proof(question))
+}
+
+/// Ranges of a question, for a proof.
+///
+/// # Errors
+/// [`StudyError`]: a range without width.
+pub(crate) fn wide_ranges(
+    prepared: &PreparedQuestion,
+    pose: &Pose,
+    question: &ExtremesQuestion,
+) -> Result<Vec<JointRange>, StudyError> {
     let ranges = ranges(prepared, pose, question)?;
-    if let Some(range) = ranges.iter().find(|range| range.lower >= range.upper) {
-        let joint = prepared.model.mechanism.joint(range.joint).name().to_owned();
-        let (lower, upper) = (range.lower, range.upper);
-        return Err(search_error(ExtremesError::Range { joint, lower, upper }, "extremes.range"));
+    match ranges.iter().find(|range| range.lower >= range.upper) {
+        Some(range) => {
+            let joint = prepared.model.mechanism.joint(range.joint).name().to_owned();
+            let (lower, upper) = (range.lower, range.upper);
+            Err(search_error(ExtremesError::Range { joint, lower, upper }, "extremes.range"))
+        }
+        None => Ok(ranges),
     }
-    prove_over(prepared, pose, contact, &ranges, question, only_largest)
+}
+
+/// Parameters of the proof of a question.
+pub(crate) fn range_proof(question: &ExtremesQuestion) -> RangeProof {
+    let Ratio(tolerance) = question.certify.unwrap_or_default();
+    RangeProof {
+        tolerance,
+        budget: question.boxes.unwrap_or(DEFAULT_BOXES) as usize,
+        mass_tolerance: question.mass_tolerance.map_or(0.0, |Ratio(masses)| masses),
+        only_largest: false,
+        cone: match question.normals.unwrap_or_default().0 {
+            NormalRange::Cone(angle) => [0.0, angle],
+            _ => [0.0; 2],
+        },
+        edges: [0, 1].map(|k| question.edge.get(k).map_or([0.0; 3], |GivenEdge(edge)| *edge)),
+        is_disc: false,
+        known: 0.0,
+    }
 }
 
 /// Proved bounds over ranges; a range without width sets the joint.
@@ -41,20 +73,9 @@ pub(crate) fn prove_over(
     contact: &Contact,
     ranges: &[JointRange],
     question: &ExtremesQuestion,
-    only_largest: bool,
+    proof: RangeProof,
 ) -> Result<ExtremesCertificateRecord, StudyError> {
-    let Ratio(tolerance) = question.certify.unwrap_or_default();
-    let proof = RangeProof {
-        tolerance,
-        budget: question.boxes.unwrap_or(DEFAULT_BOXES) as usize,
-        mass_tolerance: question.mass_tolerance.map_or(0.0, |Ratio(masses)| masses),
-        only_largest,
-        cone: match question.normals.unwrap_or_default().0 {
-            NormalRange::Cone(angle) => angle,
-            _ => 0.0,
-        },
-        edges: [0, 1].map(|k| question.edge.get(k).map_or([0.0; 3], |GivenEdge(edge)| *edge)),
-    };
+    let tolerance = proof.tolerance;
     if prepared.wheel().is_some() {
         let reason = Some("a contact patch that moves over a wheel is not supported by the proof".to_owned());
         return Ok(ExtremesCertificateRecord { tolerance, reason, ..ExtremesCertificateRecord::default() });

@@ -34,7 +34,7 @@ use crate::reports::kinematics::report::{KinematicsReport, kinematics};
 use crate::reports::kinematics::target_question::TargetSearch;
 use crate::reports::kinematics::target_search::{TargetReport, search_targets};
 use crate::reports::mass_report::MassReport;
-use crate::reports::safe_speed::{SafeSpeedReport, safe_speeds};
+use crate::reports::safe_speed::report::{SafeSpeedReport, safe_speeds};
 use crate::study_file::additions::{StudyAdditions, WithAdditions};
 use crate::study_file::file::{StudyFile, StudyFileError};
 use crate::study_file::schema::table_keys;

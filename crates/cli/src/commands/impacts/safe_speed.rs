@@ -120,14 +120,26 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
                     }
                     None => "upper bound for all positions in the ranges".to_owned(),
                 };
+                let description = match record.robot_mass {
+                    Some(_) => description,
+                    None => "no upper bound is proved: the speed for an immovable robot".to_owned(),
+                };
                 format!("{}{sharp}", speed(record, &description))
             }
-            (None, Some(reason)) => format!("no certificate: {reason}"),
-            (None, None) => {
-                "no certificate: no upper bound of the effective mass; use smaller ranges".to_owned()
-            }
+            (None, reason) => format!("no certificate: {}", reason.as_deref().unwrap_or_default()),
         };
         fact("proved speed", ranges);
+        if let Some(part) = &proved.surface {
+            let what = if part.is_curved { "axis" } else { "normal" };
+            let text = format!(
+                "{} parts of the shapes of \"{}\"; the largest bound is that of the part at {} with the {what} {}",
+                part.patches,
+                part.link,
+                triple(&part.point),
+                triple(&part.normal)
+            );
+            fact("  surface", text);
+        }
         let share = proved.share_above_standard.filter(|_| report.region.is_some());
         if let Some(share) = share.filter(|share| *share > 0.0) {
             let what = if proved.segments.is_some() { "segments" } else { "sampled positions" };

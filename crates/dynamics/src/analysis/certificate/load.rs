@@ -89,13 +89,22 @@ impl Load<Interval> {
         let mut varied = Vec::new();
         let frame = self.on.frame * Transform::from_translation(self.point);
         let mut on = On { body: self.on.body, frame };
+        if proof.is_disc {
+            let Normal::Link(n) = &self.normal else { return None };
+            varied.push((first, -PI.next_up(), PI.next_up()));
+            on = plan.add_massless_body(on, JointKind::Revolute, n.map(|x| x.mid()).normalize(), first);
+        }
         for edge in proof.edges.into_iter().map(Vector3::from).filter(|edge| edge.norm() > 0.0) {
             varied.push((first + varied.len(), 0.0, edge.norm().next_up()));
             on = plan.add_massless_body(on, JointKind::Prismatic, edge.normalize(), varied.last()?.0);
         }
-        if proof.cone > 0.0 {
+        let [from, to] = proof.cone;
+        if to > 0.0 {
             let (psi, theta) = (first + varied.len(), first + varied.len() + 1);
-            varied.extend([(psi, -PI.next_up(), PI.next_up()), (theta, 0.0, proof.cone.next_up())]);
+            varied.extend([
+                (psi, -PI.next_up(), PI.next_up()),
+                (theta, from.next_down().max(0.0), to.next_up()),
+            ]);
             match &self.normal {
                 Normal::Link(n) => {
                     let n = n.map(|x| x.mid()).normalize();

@@ -121,14 +121,36 @@ impl Loops {
         self.names.is_empty()
     }
 
+    /// Residuals at positions of the joints.
+    pub fn residuals(&self, plan: &Plan<Interval>, q: &[Interval]) -> Vec<Interval> {
+        self.evaluate(plan, q, &plan.placements(q), false).residuals
+    }
+
     /// Residuals and rows at positions of the joints.
     pub fn rows(&self, plan: &Plan<Interval>, q: &[Interval], placements: &[Placement<Interval>]) -> Rows {
+        self.evaluate(plan, q, placements, true)
+    }
+
+    fn evaluate(
+        &self,
+        plan: &Plan<Interval>,
+        q: &[Interval],
+        placements: &[Placement<Interval>],
+        has_matrix: bool,
+    ) -> Rows {
         let frames = plan.frames(placements);
         let at = |on: &On<Interval>| on.body.map_or(on.frame, |body| frames[body] * on.frame);
         let (mut residuals, mut matrix) = (Vec::new(), Vec::new());
         for closure in &self.closures {
             let (x_rp, x_rs) = (at(&closure.predecessor), at(&closure.successor));
             let apart = x_rs.translation - x_rp.translation;
+            let path = closure.path.iter().filter(|_| has_matrix);
+            let columns: Vec<_> = path
+                .flat_map(|&(body, sign)| {
+                    let columns = plan.columns_at(body, placements, &frames, &x_rs.translation);
+                    columns.map(move |(coordinate, twist)| (coordinate, twist * Interval::point(sign)))
+                })
+                .collect();
             for form in &closure.forms {
                 let (residual, wrench) = match form {
                     Form::Along(e) => {
@@ -145,10 +167,8 @@ impl Loops {
                     }
                 };
                 let mut row = vec![Interval::point(0.0); plan.coordinates];
-                for &(body, sign) in &closure.path {
-                    for (coordinate, twist) in plan.columns_at(body, placements, &frames, &x_rs.translation) {
-                        row[coordinate] += wrench.power(&twist) * Interval::point(sign);
-                    }
+                for (coordinate, twist) in &columns {
+                    row[*coordinate] += wrench.power(twist);
                 }
                 residuals.push(residual);
                 matrix.push(row);
@@ -315,32 +335,38 @@ impl Closing<'_> {
     fn newton(&self, q: &[Interval], rows: &[usize], positions: &[usize], c: &DMatrix<f64>) -> Vec<Interval> {
         let mut centre = q.to_vec();
         positions.iter().for_each(|&p| centre[p] = Interval::point(q[p].mid()));
-        let residuals = self.loops.rows(self.plan, &centre, &self.plan.placements(&centre)).residuals;
+        let residuals = self.loops.residuals(self.plan, &centre);
         let f: Vec<Interval> = rows.iter().map(|r| residuals[*r]).collect();
         positions.iter().zip(times(c, &f)).map(|(&p, step)| centre[p] - step).collect()
     }
 
-    /// Image of the box `q` under the operator of Krawczyk, K = q̃ − C F(q̃) + (1 − C F′(q)) (q − q̃), for the dependent positions.
+    /// Box of the dependent positions with given radii about the middles `q̃`, if the operator of Krawczyk maps it into itself; otherwise its
+    /// image K = q̃ − C F(q̃) + (1 − C F′(q)) (q − q̃). `centre`: q̃ − C F(q̃).
     fn krawczyk(
         &self,
         q: &[Interval],
+        (centre, radii): (&[Interval], &[f64]),
         rows: &[usize],
         dependent: &[usize],
         c: &DMatrix<f64>,
-    ) -> Vec<Interval> {
+    ) -> (Vec<Interval>, bool) {
         let positions = self.positions(dependent);
-        let around = self.loops.rows(self.plan, q, &self.plan.placements(q)).matrix;
-        let mut image = self.newton(q, rows, &positions, c);
+        let mut q = q.to_vec();
+        let steps: Vec<Interval> = radii.iter().map(|r| Interval::symmetric(*r)).collect();
+        positions.iter().zip(&steps).for_each(|(&p, step)| q[p] = Interval::point(q[p].mid()) + *step);
+        let around = self.loops.rows(self.plan, &q, &self.plan.placements(&q)).matrix;
+        let mut image = centre.to_vec();
         for (i, image) in image.iter_mut().enumerate() {
             for (k, column) in dependent.iter().enumerate() {
                 let mut entry = Interval::point(if i == k { 1.0 } else { 0.0 });
                 for (m, r) in rows.iter().enumerate() {
                     entry -= Interval::point(c[(i, m)]) * around[*r][*column];
                 }
-                *image += entry * (q[positions[k]] - Interval::point(q[positions[k]].mid()));
+                *image += entry * steps[k];
             }
         }
-        image
+        let is_inside = positions.iter().zip(&image).all(|(&p, x)| x.is_inside(q[p]));
+        (image, is_inside)
     }
 
     /// Proof that the independent rows have exactly one solution near the positions `q`; the middles of the dependent positions are the
@@ -352,12 +378,11 @@ impl Closing<'_> {
         // One step of Newton gives the middle of the tried box and its first radius.
         let first = self.newton(&q, &rows, &positions, &c);
         let mut radii: Vec<f64> = first.iter().map(|x| x.radius() * 1.1 + LEAST_BOX).collect();
+        positions.iter().zip(&first).for_each(|(&p, x)| q[p] = Interval::point(x.mid()));
+        let centre = self.newton(&q, &rows, &positions, &c);
         for _ in 0..MOST_PROOF_BOXES {
-            for ((&p, x), r) in positions.iter().zip(&first).zip(&radii) {
-                q[p] = Interval::point(x.mid()) + Interval::symmetric(*r);
-            }
-            let image = self.krawczyk(&q, &rows, &dependent, &c);
-            if positions.iter().zip(&image).all(|(&p, x)| x.is_inside(q[p])) {
+            let (image, is_inside) = self.krawczyk(&q, (&centre, &radii), &rows, &dependent, &c);
+            if is_inside {
                 positions.iter().zip(&image).for_each(|(&p, x)| q[p] = *x);
                 return self.loops.is_aligned(self.plan, &q).then_some(Closed { q, rows, dependent });
             }
@@ -388,14 +413,11 @@ impl Closing<'_> {
     pub fn uniqueness(&self, closed: &Closed) -> Option<f64> {
         let (rows, dependent, c) = self.dependents(&closed.q)?;
         let positions = self.positions(&dependent);
+        let centre = self.newton(&closed.q, &rows, &positions, &c);
         let mut radius = WIDEST_PROOF;
         while radius > LEAST_RADIUS {
-            let mut q = closed.q.clone();
-            positions
-                .iter()
-                .for_each(|&p| q[p] = Interval::point(closed.q[p].mid()) + Interval::symmetric(radius));
-            let image = self.krawczyk(&q, &rows, &dependent, &c);
-            if positions.iter().zip(&image).all(|(&p, x)| x.is_inside(q[p])) {
+            let radii = vec![radius; positions.len()];
+            if self.krawczyk(&closed.q, (&centre, &radii), &rows, &dependent, &c).1 {
                 return Some(radius);
             }
             radius *= RADIUS_STEP;

@@ -75,12 +75,15 @@ impl<'a> Problem<'a> {
 
     /// Varies the point and the normal of the contact for the cone and the edges of a proof; returns the ranges of the further positions.
     pub fn vary_contact(&mut self, proof: &RangeProof) -> Result<Vec<(usize, f64, f64)>, NoCertificate> {
-        if proof.cone == 0.0 && proof.edges == [[0.0; 3]; 2] {
+        if !proof.varies_contact() {
             return Ok(Vec::new());
         }
+        let [from, to] = proof.cone;
         let first = self.q.len();
-        let is_valid =
-            (0.0..=FRAC_PI_2).contains(&proof.cone) && proof.edges.iter().flatten().all(|x| x.is_finite());
+        let is_valid = 0.0 <= from
+            && from <= to
+            && to <= FRAC_PI_2
+            && proof.edges.iter().flatten().all(|x| x.is_finite());
         let is_valid = is_valid && self.loops.is_empty();
         let varied = is_valid.then(|| self.load.vary(&mut self.plan, proof, first)).flatten();
         let varied = varied.ok_or(NoCertificate::VariedContact)?;
@@ -107,7 +110,7 @@ impl<'a> Problem<'a> {
 
     /// Omitted rows without a proof that they are implied, with their residuals.
     pub fn omitted(&self, closed: &Closed) -> Vec<(String, f64)> {
-        let residuals = self.loops.rows(&self.plan, &closed.q, &self.plan.placements(&closed.q)).residuals;
+        let residuals = self.loops.residuals(&self.plan, &closed.q);
         let omitted = (0..residuals.len()).filter(|row| !closed.rows.contains(row));
         omitted.map(|row| (self.loops.names[row].clone(), residuals[row].magnitude())).collect()
     }

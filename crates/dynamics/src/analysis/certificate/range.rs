@@ -1,13 +1,13 @@
 //! Largest and smallest m̄ over ranges of joints: branch and bound, the box with the worst bound first.
 
 use super::bracket::{self, InverseMass, quadratic_bound};
-use super::load::Load;
+use super::load::{Load, Loads};
 use super::loops::{Loops, times};
-use super::plan::{Carried, Motion, Plan};
+use super::plan::{Carried, Motion, Placement, Plan};
 use super::records::{ExtremeBracket, RangeProof};
 use crate::tolerances::CHECK_ROOM;
 use nalgebra::{DMatrix, DVector};
-use percuss_spatial::Interval;
+use percuss_spatial::{Interval, Scalar};
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
@@ -72,6 +72,36 @@ struct Solution {
     u: Vec<f64>,
     inverse_mass: f64,
     whitening: Option<DMatrix<f64>>,
+    /// |∂r/∂xₖ|² in the metric M⁻¹, over points and normals of the contact: the motion u is not optimal beside x, even if the slopes are
+    /// constant. Zero for the smallest m̄, whose bound contains r.
+    curvatures: Vec<f64>,
+}
+
+/// Contact at a placement of all bodies.
+struct At<'a, T: Scalar> {
+    plan: &'a Plan<T>,
+    load: &'a Load<T>,
+    placements: &'a [Placement<T>],
+    loads: &'a Loads<T>,
+    varied: &'a [(usize, f64, f64)],
+}
+
+impl<T: Scalar> At<'_, T> {
+    /// Derivatives of j·a + j·b − aᵀM b by the varied positions. `times`: number of the motions of the contact in the normal's part.
+    fn slopes(&self, a: &Motion<T>, b: &Motion<T>, times: f64) -> Vec<T> {
+        let carried = self.loads.normals.as_ref().map(|(body, normals)| Carried {
+            body: *body,
+            normals,
+            velocity: self.load.velocity(&a.twists[*body]) * T::from_f64(times),
+        });
+        let mut slopes = vec![T::zero(); self.varied.len()];
+        for (position, slope) in self.plan.slopes(self.placements, a, b, carried) {
+            if let Some(k) = self.varied.iter().position(|(q, ..)| *q == position) {
+                slopes[k] += slope;
+            }
+        }
+        slopes
+    }
 }
 
 impl Ranges<'_> {
@@ -85,7 +115,9 @@ impl Ranges<'_> {
         let mut boxes = 0;
         let mut queue = BinaryHeap::new();
         // Smallest sign · 1/m̄ found, and the worst bound among the finished boxes.
-        let (mut best, mut closed) = ((f64::INFINITY, Vec::new()), f64::INFINITY);
+        let known = if side == Side::Most { self.proof.known.recip() } else { f64::INFINITY };
+        let middle = whole.iter().map(|(a, b)| 0.5 * a + 0.5 * b).collect();
+        let (mut best, mut closed) = ((known, middle), f64::INFINITY);
         let enough = |best: f64| match side {
             Side::Most => best / self.proof.ratio(),
             Side::Least => best * self.proof.ratio(),
@@ -174,18 +206,30 @@ impl Search<'_> {
         self.ranges.varied.iter().zip(x).for_each(|((k, ..), x)| q[*k] = *x);
         let (plan, n) = (&self.plan, self.plan.coordinates);
         let placements = plan.placements(&q);
-        let loads = self.load.wrenches(plan, &placements).wrenches;
+        let loads = self.load.wrenches(plan, &placements);
         let still = vec![0.0; n];
-        let j = plan.residual(&placements, &plan.motion(&placements, still.clone(), &loads).balances, &still);
-        let columns = plan.mass_columns(&placements, &plan.unit_motions(&placements));
+        let pressed = plan.motion(&placements, still.clone(), &loads.wrenches);
+        let j = plan.residual(&placements, &pressed.balances, &still);
+        let units = plan.unit_motions(&placements);
+        let columns = plan.mass_columns(&placements, &units);
         let factor = DMatrix::from_fn(n, n, |r, c| columns[c][r]).cholesky()?;
         let u = factor.solve(&DVector::from_column_slice(&j));
         let inverse_mass = u.iter().zip(&j).map(|(u, j)| u * j).sum::<f64>();
-        let whitening = match self.side {
-            Side::Most => None,
-            Side::Least => Some(factor.l().try_inverse()?),
-        };
-        Some(Solution { x: x.to_vec(), u: u.iter().copied().collect(), inverse_mass, whitening })
+        let u: Vec<f64> = u.iter().copied().collect();
+        let varied = self.ranges.varied;
+        let (mut whitening, mut curvatures) = (None, vec![0.0; varied.len()]);
+        if self.side == Side::Least {
+            whitening = Some(factor.l().try_inverse()?);
+        } else if self.ranges.proof.varies_contact() {
+            let at = At { plan, load: &self.load, placements: &placements, loads: &loads, varied };
+            let motion = plan.motion(&placements, u.clone(), &loads.wrenches);
+            let columns: Vec<Vec<f64>> = units.iter().map(|unit| at.slopes(unit, &motion, 1.0)).collect();
+            for (k, curvature) in curvatures.iter_mut().enumerate() {
+                let change = DVector::from_fn(n, |i, _| columns[i][k]);
+                *curvature = change.dot(&factor.solve(&change));
+            }
+        }
+        Some(Solution { x: x.to_vec(), u, inverse_mass, whitening, curvatures })
     }
 
     /// Positions of all joints, with the varied ones replaced.
@@ -234,26 +278,13 @@ impl Search<'_> {
         let mut importance: Vec<f64> = bounds.iter().map(|(a, b)| b - a).collect();
         let mut corner = solution.x.clone();
         let reach = |k: usize| Interval::new(bounds[k].0, bounds[k].1) - Interval::point(solution.x[k]);
-        // Derivatives of j·a + j·b − aᵀM b by the varied positions.
-        let slopes = |a: &Motion<Interval>, b: &Motion<Interval>, times: f64| {
-            let carried = loads.normals.as_ref().map(|(body, normals)| Carried {
-                body: *body,
-                normals,
-                velocity: load.velocity(&a.twists[*body]) * Interval::point(times),
-            });
-            let mut slopes = vec![Interval::point(0.0); bounds.len()];
-            for (position, slope) in plan.slopes(&placements, a, b, carried) {
-                if let Some(k) = varied.iter().position(|(q, ..)| *q == position) {
-                    slopes[k] += slope;
-                }
-            }
-            slopes
-        };
+        let at = At { plan, load, placements: &placements, loads: &loads, varied };
         if !loads.is_relative {
             let mut loss = Interval::point(0.0);
-            for (k, slope) in slopes(&motion, &motion, 2.0).into_iter().enumerate() {
+            for (k, slope) in at.slopes(&motion, &motion, 2.0).into_iter().enumerate() {
                 let slope = slope * sign;
-                importance[k] = (slope.hi() - slope.lo()) * (bounds[k].1 - bounds[k].0);
+                let width = bounds[k].1 - bounds[k].0;
+                importance[k] = (slope.hi() - slope.lo()) * width + solution.curvatures[k] * width * width;
                 if slope.lo() >= 0.0 && slope.hi() > 0.0 {
                     corner[k] = bounds[k].0;
                 } else if slope.hi() <= 0.0 && slope.lo() < 0.0 {
@@ -276,10 +307,10 @@ impl Search<'_> {
             } else {
                 let there = plan.placements(&self.positions(solution.x.iter().copied().map(Interval::point)));
                 let loads = load.wrenches(plan, &there);
-                let at = plan.motion(&there, u.clone(), &loads.wrenches);
-                let mut white = times(c, &plan.residual(&there, &at.balances, &u));
+                let middle = plan.motion(&there, u.clone(), &loads.wrenches);
+                let mut white = times(c, &plan.residual(&there, &middle.balances, &u));
                 let columns: Vec<Vec<Interval>> =
-                    units.iter().map(|unit| slopes(unit, &motion, 1.0)).collect();
+                    units.iter().map(|unit| at.slopes(unit, &motion, 1.0)).collect();
                 for k in 0..bounds.len() {
                     let column: Vec<Interval> = columns.iter().map(|slopes| slopes[k]).collect();
                     for (white, step) in white.iter_mut().zip(times(c, &column)) {

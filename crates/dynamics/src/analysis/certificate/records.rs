@@ -83,16 +83,25 @@ pub struct RangeProof {
     pub mass_tolerance: f64,
     /// True for the largest m̄ alone: no bounds of the smallest one.
     pub only_largest: bool,
-    /// Largest angle between the normal (for a moment: the axis) and that of the contact, rad; 0 for that of the contact alone.
-    pub cone: f64,
+    /// Smallest and largest angle between the normal (for a moment: the axis) and that of the contact, rad; zero for that of the contact alone.
+    pub cone: [f64; 2],
     /// Edges eᵢ of the contact points p + Σ xᵢ eᵢ, 0 ≤ xᵢ ≤ 1, in the frame of the contact link, m; zero without an edge.
     pub edges: [[f64; 3]; 2],
+    /// True if the edges turn by all angles about a normal of the contact link: the points of a disc.
+    pub is_disc: bool,
+    /// Largest m̄ that is proved elsewhere, kg; 0 for none. Bounds below it, within the tolerance, are sufficient for the largest m̄.
+    pub known: f64,
 }
 
 impl RangeProof {
     /// Accepted ratio of the upper bound of a box and the best value.
     pub(super) fn ratio(self) -> f64 {
         1.0 + self.tolerance
+    }
+
+    /// True if the proof covers several points or normals.
+    pub(super) fn varies_contact(self) -> bool {
+        self.cone[1] > 0.0 || self.edges != [[0.0; 3]; 2]
     }
 
     /// True if bounds agree within the tolerance.

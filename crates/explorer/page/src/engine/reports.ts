@@ -355,8 +355,13 @@ export interface PosedMass {
   report: MassReport; frames: number[]; velocities: (Triple | null)[];
 }
 
+export interface ProvedPatchRecord {
+  link: string; patches: number; point: Triple; normal: Triple; edges: (Triple)[];
+  is_curved: boolean;
+}
+
 export interface ProvedSpeedRecord {
-  speed: SpeedRecord | null; is_sharp: boolean; segments: number | null; slowest_segment: number | null;
+  speed: SpeedRecord | null; is_sharp: boolean; surface: ProvedPatchRecord | null; segments: number | null; slowest_segment: number | null;
   share_above_standard: number | null; certificate: ExtremesCertificateRecord;
 }
 

@@ -165,6 +165,15 @@ pub struct SafeSpeedQuestion {
     #[serde(deserialize_with = "value::words")]
     #[schemars(with = "Option<Words>")]
     pub edge: Vec<GivenEdge>,
+    /// Prove the speed for all contacts on the surface of the link.
+    ///
+    /// Along the normals of its collision shapes, or of its visual shapes if there are none. At edges and corners, normals between those of
+    /// the neighbouring faces have no proof.
+    #[cfg_attr(
+        feature = "flags",
+        arg(long, requires = "certify", conflicts_with_all = ["normals", "edge"], help_heading = WHICH)
+    )]
+    pub surface: bool,
     /// Load that is missing in the model (kg); default 0.
     ///
     /// Load and tool: a point mass at the contact, and m_L in the standard's M/2 + m_L.
@@ -209,10 +218,16 @@ impl SafeSpeedQuestion {
             );
         }
         let has_proof_keys = !(self.range.is_empty() && self.tracking.is_empty() && self.edge.is_empty());
-        if self.certify.is_none() && (has_proof_keys || self.normals.is_some()) {
+        if self.certify.is_none() && (has_proof_keys || self.normals.is_some() || self.surface) {
             return refuse(
                 "safe_speed.certify",
-                "`range`, `tracking`, `normals` and `edge` belong to a proof; give `certify`, such as 2%",
+                "`range`, `tracking`, `normals`, `edge` and `surface` belong to a proof; give `certify`, such as 2%",
+            );
+        }
+        if self.surface && (self.normals.is_some() || !self.edge.is_empty()) {
+            return refuse(
+                "safe_speed.surface",
+                "the shapes give points and normals; expected neither `normals` nor `edge`",
             );
         }
         if !self.tracking.is_empty() && self.rows().is_none() {

@@ -307,10 +307,7 @@ pub fn extremes(
         starts: found.starts.unwrap_or(least.0.starts.max(most.0.starts)),
         least: record(least),
         most: record(most),
-        certificate: extremes
-            .certify
-            .map(|_| prove(&prepared, &pose, &contact, extremes, false))
-            .transpose()?,
+        certificate: extremes.certify.map(|_| prove(&prepared, &pose, &contact, extremes)).transpose()?,
         path: found.path,
         diagnostics: model
             .diagnostics

@@ -1,9 +1,9 @@
 //! Safe speed of a robot that may hit a person, with the effective mass instead of the standard's M/2 + m_L.
 
+use super::proved::{ProvedSpeedRecord, proved_along, proved_speed};
+use super::speed::{SpeedRecord, mass_unknown, safe_speed_record};
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
-use crate::evaluation::certificate::ExtremesCertificateRecord;
-use crate::evaluation::joint_ranges::{prove, prove_over, ranges};
 use crate::evaluation::named_contact::named_contact;
 use crate::evaluation::passed_stops::answer_findings;
 use crate::evaluation::prepared_question::{ContactResult, EvaluatedQuestion, PreparedQuestion};
@@ -13,40 +13,16 @@ use crate::pose::positions::Positions;
 use crate::question::errors::question_error::{StudyError, branch_limits_text};
 use crate::question::mass_question::MassQuestion;
 use crate::question::row_source::RowSource;
-use crate::question::tables::extremes::{DEFAULT_BOXES, ExtremesQuestion};
 use crate::question::tables::safe_speed::{Limit, SafeSpeedQuestion};
 use crate::reports::assumptions::lacks_rotors;
 use crate::sweep::sweep_rows::Sweep;
-use percuss_contact::{
-    BodyRegion, ContactLawError, LawParameter, SafeSpeed, TransientContact, standard_robot_mass,
-};
+use percuss_contact::{BodyRegion, ContactLawError, LawParameter, standard_robot_mass};
 use percuss_dynamics::{Base, EffectiveMass, Frame};
-use percuss_impact::{JointRange, reachable_closing_speed};
+use percuss_impact::reachable_closing_speed;
 use percuss_mechanism::{Inertial, JointDescription, JointId, JointKind, LinkDescription, LinkId, Mechanism};
 use schemars::JsonSchema;
 use serde::Serialize;
 use std::ops::ControlFlow;
-
-/// Positions at which the standard's mass is compared with m̄.
-const SAMPLES: usize = 500;
-/// Largest number of rows of a proof, which takes minutes.
-const MOST_SEGMENTS: usize = 100_000;
-/// Boxes of all segments of a proof along rows: about a minute.
-const BOXES_OF_ROWS: u32 = 1_000_000;
-/// Fewest boxes of a segment.
-const LEAST_BOXES: u32 = 64;
-
-/// Speed for one mass of the robot.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct SpeedRecord {
-    /// Robot mass m_R, kg: the mass of the standard, or the effective mass plus its error bound (at a singular pose the
-    /// largest limit along the branches). Null if the robot is immovable.
-    pub robot_mass: Option<f64>,
-    /// μ = 1/(1/m_H + 1/m_R), kg; null if neither side can move.
-    pub reduced_mass: Option<f64>,
-    /// Largest relative speed, m/s.
-    pub speed: f64,
-}
 
 /// Report of `percuss safe-speed`, as JSON.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
@@ -94,24 +70,6 @@ pub struct SafeSpeedReport {
     pub along: Option<AlongRecord>,
     /// Findings.
     pub diagnostics: Vec<DiagnosticRecord>,
-}
-
-/// Speed that holds for all positions in ranges of joints, for rigid links, ideal joints, and the numbers of the model as read.
-#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
-pub struct ProvedSpeedRecord {
-    /// Speed for the upper bound of m̄; null without a bound.
-    pub speed: Option<SpeedRecord>,
-    /// True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary.
-    pub is_sharp: bool,
-    /// Number of segments between rows of positions; null for ranges.
-    pub segments: Option<usize>,
-    /// Segment with the largest bound, from 0, from the row of this number to the next one; null for ranges.
-    pub slowest_segment: Option<usize>,
-    /// Share of the positions at which the standard's mass is too small: m̄ of the given normal and point at sampled positions of the ranges, or
-    /// segments with a proved larger m̄. From 0 to 1; null without an answer.
-    pub share_above_standard: Option<f64>,
-    /// Proved bounds of the largest m̄ over the ranges, or over the segment with the largest bound.
-    pub certificate: ExtremesCertificateRecord,
 }
 
 /// Greatest closing speed within the rate limits of the joints.
@@ -219,131 +177,6 @@ fn safe_speed(
     })
 }
 
-/// Speed for the upper bound of the largest m̄ over the ranges.
-fn proved_speed(
-    evaluated: &EvaluatedQuestion,
-    asked: &SafeSpeedQuestion,
-    by_standard: f64,
-    speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
-) -> Result<ProvedSpeedRecord, StudyError> {
-    let (prepared, pose, contact) = (&evaluated.prepared, &evaluated.pose, &evaluated.contact);
-    let question = proof_question(asked);
-    let certificate = prove(prepared, pose, contact, &question, true)?;
-    let ranges = ranges(prepared, pose, &question)?;
-    let share = share_above(evaluated, &ranges, by_standard);
-    proved_record(certificate, None, share, speed)
-}
-
-/// Question of the proof of a speed.
-fn proof_question(asked: &SafeSpeedQuestion) -> ExtremesQuestion {
-    ExtremesQuestion {
-        range: asked.range.clone(),
-        certify: asked.certify,
-        normals: asked.normals,
-        edge: asked.edge.clone(),
-        ..ExtremesQuestion::default()
-    }
-}
-
-fn proved_record(
-    certificate: ExtremesCertificateRecord,
-    segment: Option<(usize, usize)>,
-    share_above_standard: Option<f64>,
-    speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
-) -> Result<ProvedSpeedRecord, StudyError> {
-    let upper = certificate.most.as_ref().and_then(|most| most.upper);
-    Ok(ProvedSpeedRecord {
-        speed: upper.map(|mass| speed(Some(mass)).map(|(speed, _)| speed)).transpose()?,
-        is_sharp: certificate.most.as_ref().is_some_and(|most| most.is_proved),
-        segments: segment.map(|(count, _)| count),
-        slowest_segment: segment.map(|(_, slowest)| slowest),
-        share_above_standard,
-        certificate,
-    })
-}
-
-/// Share of sampled positions in the ranges at which m̄ along the given normal is larger than a mass; `None` without an answer.
-fn share_above(evaluated: &EvaluatedQuestion, ranges: &[JointRange], mass: f64) -> Option<f64> {
-    let prepared = &evaluated.prepared;
-    let (mut count, mut above) = (0, 0);
-    // Additive recurrence with the powers of the root of x^(n+1) = x + 1, evenly distributed.
-    let n = ranges.len() as f64;
-    let root = (0..40).fold(1.5_f64, |x, _| (1.0 + x).powf(1.0 / (n + 1.0)));
-    for sample in 1..=SAMPLES {
-        let mut configuration = prepared.configuration.clone();
-        for (k, range) in ranges.iter().enumerate() {
-            let part = (sample as f64 * root.powi(-(k as i32) - 1)).fract();
-            let name = prepared.model.mechanism.joint(range.joint).name();
-            configuration.replace(name, &[range.lower + part * (range.upper - range.lower)]).ok()?;
-        }
-        let Ok(pose) = prepared.system.pose_from(&evaluated.pose, &configuration) else { continue };
-        let Ok(response) = pose.respond(&prepared.contact_of_row(&evaluated.contact, &pose)) else {
-            continue;
-        };
-        count += 1;
-        above += usize::from(match response.effective_mass {
-            EffectiveMass::Finite(found) => found > mass,
-            EffectiveMass::Immovable => true,
-            EffectiveMass::Massless => false,
-        });
-    }
-    (count > 0).then(|| above as f64 / count as f64)
-}
-
-/// Speed for the upper bound of m̄ along rows of positions: between neighbouring rows all joints are within the box of both, widened by the
-/// tracking error. The certificate is that of the segment with the largest bound.
-fn proved_along(
-    evaluated: &EvaluatedQuestion,
-    asked: &SafeSpeedQuestion,
-    (joints, rows): (&[JointId], &[Vec<f64>]),
-    by_standard: f64,
-    speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
-) -> Result<ProvedSpeedRecord, StudyError> {
-    let mechanism = &evaluated.prepared.model.mechanism;
-    let errors: Vec<f64> = joints
-        .iter()
-        .map(|joint| {
-            let is_angle = mechanism.joint(*joint).kind() != JointKind::Prismatic;
-            let own = asked.tracking.iter().filter(|tracking| tracking.is_angle == is_angle);
-            own.map(|tracking| tracking.error).fold(0.0, f64::max)
-        })
-        .collect();
-    let count = rows.len().saturating_sub(1).max(1);
-    if count > MOST_SEGMENTS {
-        let why = format!(
-            "a proof covers at most {MOST_SEGMENTS} rows, given are {}; expected fewer rows",
-            rows.len()
-        );
-        return Err(StudyError::input("safe_speed.input", why));
-    }
-    // All segments together have the boxes of some proofs over ranges.
-    let boxes = (BOXES_OF_ROWS / count as u32).clamp(LEAST_BOXES, DEFAULT_BOXES);
-    let question = ExtremesQuestion { boxes: Some(boxes), ..proof_question(asked) };
-    let (mut worst, mut above): (Option<(f64, usize, ExtremesCertificateRecord)>, usize) = (None, 0);
-    let mut is_sharp = true;
-    for segment in 0..count {
-        let ends = [&rows[segment], rows.get(segment + 1).unwrap_or(&rows[segment])];
-        let range = |(k, joint): (usize, &JointId)| {
-            let (a, b) = (ends[0][k], ends[1][k]);
-            JointRange { joint: *joint, lower: a.min(b) - errors[k], upper: a.max(b) + errors[k] }
-        };
-        let ranges: Vec<JointRange> = joints.iter().enumerate().map(range).collect();
-        let (prepared, pose, contact) = (&evaluated.prepared, &evaluated.pose, &evaluated.contact);
-        let found = prove_over(prepared, pose, contact, &ranges, &question, true)?;
-        let most = found.most.as_ref();
-        is_sharp &= most.is_some_and(|most| most.is_proved);
-        above += usize::from(most.and_then(|most| most.lower).is_some_and(|lower| lower > by_standard));
-        let upper = most.and_then(|most| most.upper).unwrap_or(f64::INFINITY);
-        if worst.as_ref().is_none_or(|(largest, ..)| upper > *largest) {
-            worst = Some((upper, segment, found));
-        }
-    }
-    let (_, slowest, certificate) = worst.ok_or_else(mass_unknown)?;
-    let share = Some(above as f64 / count as f64);
-    let record = proved_record(certificate, Some((count, slowest)), share, speed)?;
-    Ok(ProvedSpeedRecord { is_sharp, ..record })
-}
-
 /// Greatest closing speed within the rate limits of the joints.
 fn reachable(evaluated: &EvaluatedQuestion) -> Option<ReachableSpeedRecord> {
     let mechanism = &evaluated.prepared.model.mechanism;
@@ -353,30 +186,6 @@ fn reachable(evaluated: &EvaluatedQuestion) -> Option<ReachableSpeedRecord> {
         speed: found.speed,
         limited_by: found.limited_by.into_iter().map(name).collect(),
     })
-}
-
-/// Safe speed for a robot mass, kg; `None` for an immovable robot.
-fn safe_speed_record(
-    region: Option<&BodyRegion>,
-    limit: Limit,
-    robot_mass: Option<f64>,
-) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError> {
-    let contact = match (robot_mass, region) {
-        (Some(mass), Some(region)) => TransientContact::new(region, mass)?,
-        (None, Some(region)) => TransientContact::immovable(region),
-        (Some(mass), None) => TransientContact::against_fixed_body(mass)?,
-        (None, None) => {
-            return Ok((SpeedRecord { robot_mass, reduced_mass: None, speed: 0.0 }, None));
-        }
-    };
-    let safe = match limit {
-        Limit::Force(force) => contact.speed_for_force(force),
-        Limit::Pressure(pressure, area) => contact.speed_for_pressure(pressure, area),
-        Limit::Energy(energy) => contact.speed_for_energy(energy),
-        Limit::Momentum(momentum) => contact.speed_for_momentum(momentum),
-    }?;
-    let reduced_mass = Some(contact.reduced_mass());
-    Ok((SpeedRecord { robot_mass, reduced_mass, speed: safe.speed }, Some(safe)))
 }
 
 /// Safe speeds: one in each direction of the question, the worst direction last; without directions that of the contact, at its pose or
@@ -500,12 +309,6 @@ fn safe_speed_along(
         report.diagnostics.push(Finding::about_result(FindingKind::RowsWithoutSpeed, message).into());
     }
     Ok(report)
-}
-
-/// Error: the error of m̄ is unknown.
-fn mass_unknown() -> StudyError {
-    let why = "the error of the effective mass is unknown: near this pose the effective mass is not finite; no safe speed can be stated";
-    StudyError::NoResult(why.to_owned())
 }
 
 /// Direction of the largest effective mass at the contact point, world axes.
