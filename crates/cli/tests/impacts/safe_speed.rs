@@ -66,27 +66,43 @@ fn a_direction_without_give_leaves_the_persons_mass() {
 /// pushed towards its axis has the speed of an immovable robot.
 #[test]
 fn proved_speeds_cover_the_surface_of_a_link() {
-    let range = "--range shoulder=-10deg:10deg --range elbow=50deg:70deg --certify 2% --surface";
-    let limit = "--region chest --force 280 --format json";
-    for (link, parts, is_bounded) in
-        [("forearm", 6, true), ("finger", 36, true), ("upper_arm", 3, false), ("turret", 1, false)]
-    {
-        let contact = format!("models/shaped_arm.urdf --link {link} --point 0,0,0.01 --normal 0,0,1");
-        let report = json(&format!("safe-speed {contact} {range} {limit}"));
+    let scratch = Scratch::new("safe-speed-surface");
+    let text = std::fs::read_to_string(root().join("models/shaped_arm.urdf")).expect("the model");
+    let drawn = "<geometry><mesh filename=\"meshes/finger.obj\"/></geometry>";
+    let with = |name: &str, solid: &str| {
+        let turned = "<origin xyz=\"0.05 0.01 0\" rpy=\"0.3 1.2 -0.4\"/>";
+        scratch.write(name, &text.replace(drawn, &format!("{turned}<geometry><{solid}/></geometry>")))
+    };
+    let shipped = || "models/shaped_arm.urdf".to_owned();
+    for (model, link, parts, is_bounded) in [
+        (shipped(), "forearm", 6, true),
+        (shipped(), "finger", 36, true),
+        (shipped(), "upper_arm", 3, false),
+        (shipped(), "turret", 1, false),
+        (with("sphere.urdf", "sphere radius=\"0.02\""), "finger", 1, true),
+        (with("cylinder.urdf", "cylinder radius=\"0.03\" length=\"0.01\""), "finger", 3, true),
+        (with("capsule.urdf", "capsule radius=\"0.02\" length=\"0.08\""), "finger", 3, true),
+        (with("box.urdf", "box size=\"0.1 0.04 0.03\""), "finger", 6, true),
+    ] {
+        let report = json(&format!(
+            "safe-speed {model} --link {link} --point 0,0,0.01 --normal 0,0,1 --range shoulder=-10deg:10deg --range elbow=50deg:70deg \
+             --certify 2% --surface --region chest --force 280 --format json"
+        ));
         let proved = &report["proved"];
-        assert_eq!(proved["surface"]["patches"], parts, "{link}");
+        assert_eq!(proved["surface"]["patches"], parts, "{link} of {model}");
         let Some(upper) = proved["speed"]["robot_mass"].as_f64() else {
-            assert!(!is_bounded && proved["speed"]["speed"].as_f64() > Some(0.0), "{link}");
+            assert!(!is_bounded && proved["speed"]["speed"].as_f64() > Some(0.0), "{link} of {model}");
             continue;
         };
-        assert!(is_bounded && proved["is_sharp"] == true, "{link}: {upper}");
+        assert!(is_bounded && proved["is_sharp"] == true, "{link} of {model}: {upper}");
         let mut largest = 0.0_f64;
         for (shoulder, elbow) in [(-10, 50), (-10, 70), (10, 50), (10, 70), (3, 61)] {
             let map = json(&format!(
-                "map models/shaped_arm.urdf --link {link} --set shoulder={shoulder}deg --set elbow={elbow}deg --edge 5mm --format json"
+                "map {model} --link {link} --set shoulder={shoulder}deg --set elbow={elbow}deg --edge 5mm --format json"
             ));
             largest = largest.max(map["links"][0]["largest"]["effective_mass"].as_f64().expect("a mass"));
         }
-        assert!(largest <= upper && upper < 1.1 * largest, "{link}: {largest} {upper}");
+        // 2 % of the proof, and the distance of the facets of the map from its largest value.
+        assert!(largest <= upper && upper < 1.12 * largest, "{link} of {model}: {largest} {upper}");
     }
 }
