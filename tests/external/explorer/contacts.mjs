@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
-import { agrees, close, explore, fileText, folder, join, open, percuss, rested, root, settle, shown, state } from './harness.mjs';
+import { agrees, close, explore, fileText, folder, join, open, openPanel, openTab, percuss, rested, root, settle, shown, state } from './harness.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
 const ARM = ['models/six_r_arm.urdf', '--link', 'tool', '--point', '0.08,0,0', '--normal', '0,0,-1'];
@@ -135,6 +135,7 @@ export const contactTests = {
     await agrees(page, folder, 'the contact of the sheet');
     assert.match(await page.textContent('.result'), /skid/);
     // The contact remains after a hardpoint has moved.
+    await openTab(page, 'design');
     await page.fill('[aria-label="lower_ball z, mm"]', String(Number(await page.inputValue('[aria-label="lower_ball z, mm"]')) + 4));
     await page.keyboard.press('Tab');
     await agrees(page, folder, 'the same with a moved hardpoint');
@@ -144,8 +145,7 @@ export const contactTests = {
   async 'the stop of a joint has the inertia of its command'(browser) {
     const page = await open(browser, explore(...ARM, '--set', 'shoulder=-40deg'));
     await settle(page);
-    await page.click('details.damper > summary');
-    await page.waitForFunction(() => window.percussView.state().results.damper);
+    await openPanel(page, 'damper');
     await page.locator('details.damper label:has(> span:text-is("contact")) select').selectOption('elbow:upper');
     await rested(page);
     const found = (await state(page)).results.damper.ok;
@@ -162,25 +162,23 @@ export const contactTests = {
 
   async 'the commands of the panels print their numbers'(browser) {
     const page = await open(browser, explore(SHEET, '--at', 'spring', '--wheel-travel=20mm'));
+    await openTab(page, 'design');
     await page.fill('[aria-label="upper_ball y, mm"]', String(Number(await page.inputValue('[aria-label="upper_ball y, mm"]')) - 5));
     await page.keyboard.press('Tab');
-    for (const kind of ['damper', 'impact', 'kinematics']) {
-      await page.click(`details.${kind} > summary`);
-      await page.waitForFunction((name) => window.percussView.state().results[name], kind);
-    }
-    await rested(page);
-    const { results } = await state(page);
-    const damper = executed(await commandOf(page, 'damper'), root);
-    same(results.damper.ok.damping, damper.damping, 'damping');
-    const impact = executed(await commandOf(page, 'impact'), root);
-    same(results.impact.ok.impulse, impact.impulse, 'impulse');
-    const kinematics = executed(await commandOf(page, 'kinematics'), root);
-    for (const key of ['camber', 'toe', 'caster']) assert.ok(Math.abs(results.kinematics.ok.rows[0][key] - kinematics.rows[0][key]) < SAME, key);
+    const both = async (kind) => {
+      await openPanel(page, kind);
+      await rested(page);
+      return [(await state(page)).results[kind].ok, executed(await commandOf(page, kind), root)];
+    };
+    const [damper, itsCommand] = await both('damper');
+    same(damper.damping, itsCommand.damping, 'damping');
+    const [impact, command] = await both('impact');
+    same(impact.impulse, command.impulse, 'impulse');
+    const [here, there] = await both('kinematics');
+    for (const key of ['camber', 'toe', 'caster']) assert.ok(Math.abs(here.rows[0][key] - there.rows[0][key]) < SAME, key);
     await close(page);
     const arm = await open(browser, explore(...ARM));
-    await arm.click('details.safe > summary');
-    // The panel sends its request on the toggle event, which the browser sends after it sets the attribute `open`.
-    await arm.waitForFunction(() => window.percussView.state().results.safe);
+    await openPanel(arm, 'safe');
     await rested(arm);
     await arm.fill('details.safe input >> nth=0', '140 N');
     await arm.keyboard.press('Tab');

@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { writeFileSync } from 'node:fs';
-import { agrees, center, close, drag, explore, fileText, folder, join, json, open, rested, settle, shown, state } from './harness.mjs';
+import { agrees, center, close, drag, explore, fileText, folder, join, json, open, openPanel, openTab, rested, settle, shown, state } from './harness.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
 const AXLE = 'models/suspensions/solid-axle-panhard.toml';
@@ -32,6 +32,7 @@ function adamsSheet() {
 export const designTests = {
   async 'cards have the masses of the present design'(browser) {
     const page = await open(browser, explore(SHEET));
+    await openTab(page, 'design');
     await page.fill('[aria-label="lower_ball z, mm"]', '190');
     await page.keyboard.press('Tab');
     await listed(page);
@@ -102,6 +103,7 @@ export const designTests = {
   async 'no key step is lost'(browser) {
     const page = await open(browser, explore(SHEET, '--at', 'spring'));
     await settle(page);
+    await openTab(page, 'design');
     const point = '[aria-label="lower_ball z, mm"]';
     const before = Number(await page.inputValue(point));
     await page.focus(point);
@@ -143,6 +145,7 @@ export const designTests = {
     };
     const first = await check([]);
     // Nearer to the hinge, the pad needs a longer travel.
+    await openTab(page, 'design');
     await page.fill('[aria-label="bump_stop_pad y, mm"]', '525');
     await page.keyboard.press('Tab');
     await settle(page);
@@ -166,6 +169,7 @@ export const designTests = {
   async 'variants have colours and a table'(browser) {
     const page = await open(browser, explore(SHEET, '--at', 'spring'));
     await settle(page);
+    await openTab(page, 'design');
     const masses = [await shown(page)];
     for (const z of [185, 190]) {
       await page.click('button[title^="Keeps the present"]');
@@ -250,7 +254,7 @@ export const designTests = {
   async 'an impact in time is played with its forces'(browser) {
     const page = await open(browser, explore(SHEET, '--at', 'bump_stop'));
     await settle(page);
-    await page.click('details.impact > summary');
+    await openPanel(page, 'impact');
     await page.fill('details.impact input >> nth=2', '200 N/mm');
     await page.check('details.impact input[type=checkbox]');
     await page.waitForSelector('.moments');

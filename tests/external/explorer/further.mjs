@@ -3,7 +3,7 @@
 import assert from 'node:assert/strict';
 import { execFileSync } from 'node:child_process';
 import { readFileSync, writeFileSync } from 'node:fs';
-import { agrees, center, close, explore, fileText, folder, join, json, open, percuss, rested, root, settle, shown, state } from './harness.mjs';
+import { agrees, center, close, explore, fileText, folder, join, json, open, openPanel, openTab, percuss, rested, root, settle, shown, state } from './harness.mjs';
 
 const SHEET = 'models/suspensions/double-wishbone.toml';
 /** Relative difference of numbers that two processors compute: some thousand roundings, and steps of an iteration that ends at 1e-12. */
@@ -21,12 +21,6 @@ const result = async (page, kind) => {
   const found = (await state(page)).results[kind];
   assert.ok(found?.ok, `${kind}: ${JSON.stringify(found)?.slice(0, 300)}`);
   return found.ok;
-};
-
-const openPanel = async (page, kind) => {
-  await page.click(`details.${kind} > summary`);
-  // The panel asks when the browser reports that it is open, which is later than its attribute.
-  await page.waitForFunction((name) => window.percussView.state().results[name], kind);
 };
 
 /** Flags of a contact at a named place. */
@@ -127,8 +121,10 @@ export const furtherTests = {
     const onPage = Number(await page.getAttribute('[data-quantity=camber]', 'data-value'));
     assert.equal(onPage, first);
     await page.click('button[title^="Keeps the present"]');
+    await openTab(page, 'design');
     await page.fill('[aria-label="upper_ball y, mm"]', String(Number(await page.inputValue('[aria-label="upper_ball y, mm"]')) - 5));
     await page.keyboard.press('Tab');
+    await openPanel(page, 'kinematics');
     assert.notEqual(await check('--wheel-travel=20mm', '--move=upper_ball=0,-5mm,0'), first);
     assert.match(await page.textContent('details.kinematics thead'), /Δ A/);
     await close(page);
@@ -269,6 +265,72 @@ export const furtherTests = {
     await page.waitForFunction(() => document.querySelectorAll('.directions line').length === 3);
     await page.click('.shows >> text=Map');
     assert.equal(await page.locator('.legend[data-map]').count(), 0);
+    await close(page);
+  },
+
+  async 'tabs follow the keyboard, keep what is typed and are in the link'(browser) {
+    const tabs = (page) => page.$$eval('.answers [role=tab]', (all) => all.map((tab) => tab.textContent));
+    const chosen = (page) => page.$$eval('.answers [role=tab]', (all) => all.filter((tab) => tab.ariaSelected === 'true').map((tab) => tab.id.replace('tab-', '')).join());
+    const file = explore(SHEET, '--at', 'spring', '--wheel-travel=75mm');
+    const page = await open(browser, file);
+    await settle(page);
+    assert.deepEqual(await tabs(page), ['Result', 'Design', 'Kinematics', 'Impact & damper']);
+    await page.focus('#tab-result');
+    const seen = [];
+    for (const key of ['ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowRight', 'ArrowLeft', 'Home', 'End']) {
+      await page.keyboard.press(key);
+      seen.push(await chosen(page));
+      // One panel is visible, that of the tab with the focus; the number and the warnings are beside each.
+      assert.deepEqual(await page.$$eval('.answer', (all) => all.filter((panel) => panel.checkVisibility()).map((panel) => panel.getAttribute('aria-labelledby'))), [`tab-${seen.at(-1)}`]);
+      assert.equal(await page.evaluate(() => document.activeElement.id), `tab-${seen.at(-1)}`);
+      assert.equal(await page.locator('.answers [role=tab][tabindex="0"]').count(), 1);
+      assert.ok(await page.isVisible('[data-mass]') && await page.isVisible('.side > section .finding.warning'), seen.at(-1));
+    }
+    assert.deepEqual(seen, ['design', 'kinematics', 'impact', 'result', 'impact', 'result', 'impact']);
+    await page.fill('details.damper input >> nth=0', '0.45');
+    await page.keyboard.press('Tab');
+    await openTab(page, 'result');
+    await page.fill('.target-search input >> nth=0', '100');
+    await openTab(page, 'impact');
+    assert.equal(await page.inputValue('details.damper input >> nth=0'), '0.45');
+    await result(page, 'damper');
+    // A result that is not displayed would not follow the design.
+    await openTab(page, 'kinematics');
+    await result(page, 'kinematics');
+    assert.deepEqual(Object.keys((await state(page)).results).filter((kind) => kind !== 'map'), ['kinematics']);
+    await openTab(page, 'result');
+    assert.equal(await page.inputValue('.target-search input >> nth=0'), '100');
+    await openTab(page, 'kinematics');
+    await rested(page);
+    await page.waitForTimeout(400);
+    const linked = await open(browser, file, { viewport: { width: 360, height: 640 }, isMobile: true, hasTouch: true }, await page.evaluate(() => location.hash));
+    await settle(linked);
+    assert.equal(await chosen(linked), 'kinematics');
+    await result(linked, 'kinematics');
+    assert.equal(await linked.evaluate(() => document.documentElement.scrollWidth), 360);
+    await close(linked);
+    // A robot has no kinematics of wheels, and a safe speed.
+    await page.setInputFiles('input[type=file]', join(root, 'models/six_r_arm.urdf'));
+    await page.waitForFunction(() => document.querySelector('.file')?.textContent === 'six_r_arm.urdf' && window.percussView.isSettled());
+    assert.deepEqual([await tabs(page), await chosen(page)], [['Result', 'Design', 'Safe speed', 'Impact & damper'], 'result']);
+    await close(page);
+  },
+
+  async 'a stop is made 5 kg lighter, and the sheet is saved'(browser) {
+    const page = await open(browser, explore(SHEET, '--at', 'bump_stop'));
+    await settle(page);
+    const required = Number(((await shown(page)) - 5).toFixed(2));
+    await page.waitForSelector('.tornado tr');
+    await page.fill('.target-search input >> nth=0', String(required));
+    await page.click('.target-search button');
+    await page.waitForFunction(() => /Changed/.test(document.querySelector('.told')?.textContent ?? ''));
+    await settle(page);
+    await openTab(page, 'design');
+    const [download] = await Promise.all([page.waitForEvent('download'), page.click('text=Save the sheet (1 change)')]);
+    const saved = join(folder, 'lighter.toml');
+    await download.saveAs(saved);
+    same(json('mass', saved, '--at', 'bump_stop').effective_mass, await shown(page), 'the saved sheet');
+    assert.ok(Math.abs((await shown(page)) - required) < 1e-3);
     await close(page);
   },
 

@@ -76,6 +76,17 @@ export async function shown(page) {
   return Number.isNaN(Number(text)) ? text : Number(text);
 }
 
+/** Tab of each panel. */
+const TABS = { kinematics: 'kinematics', safe: 'safe', impact: 'impact', damper: 'impact' };
+
+export const openTab = (page, tab) => page.click(`#tab-${tab}`);
+
+/** Turns to the tab of a panel and waits for its result. */
+export async function openPanel(page, kind) {
+  await openTab(page, TABS[kind]);
+  await page.waitForFunction((name) => window.percussView.state().results[name], kind);
+}
+
 /** Waits until the page has answered all changes. */
 export async function settle(page) {
   try {

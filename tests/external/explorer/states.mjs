@@ -35,13 +35,13 @@ const PAGES = {
   linkage: FOUR_BAR,
   arm: ARM,
 };
-/** Parts of the page of a sheet that a click or a key opens. */
+/** Parts of the page of a sheet, with the clicks that open them. */
 const PARTS = {
-  kinematics: 'summary:has-text("Camber, toe, motion ratios")',
-  impact: 'summary:has-text("Impact")',
-  damper: 'summary:has-text("Damper and simulator")',
-  masses: 'summary:has-text("Masses and moments")',
-  study: '[role=tab]:has-text("Study")',
+  kinematics: ['#tab-kinematics'],
+  impact: ['#tab-impact'],
+  damper: ['#tab-impact', 'details.impact > summary'],
+  masses: ['#tab-design', 'summary:has-text("Masses and moments")'],
+  study: ['[role=tab]:has-text("Study")'],
 };
 const STUDIES = ['report', 'variants', 'bump-stop-impact', 'arm-impact', 'extremes', 'reflected-inertia', 'percussion', 'feet-impact', 'four-bar-impact'];
 const FIGURES = {
@@ -132,10 +132,10 @@ function states(browser) {
     explorer(`${name}, dark`, flags, { viewport: DESKTOP, colorScheme: 'dark' });
     explorer(`${name}, phone`, flags, { viewport: PHONE });
   }
-  for (const [part, selector] of Object.entries(PARTS)) {
+  for (const [part, clicks] of Object.entries(PARTS)) {
     const shown = async (page) => {
-      await page.click(selector);
-      await page.locator(selector).scrollIntoViewIfNeeded();
+      for (const selector of clicks) await page.click(selector);
+      await page.locator(clicks.at(-1)).scrollIntoViewIfNeeded();
     };
     explorer(`wishbone, ${part}`, STOP, { viewport: DESKTOP }, shown);
     explorer(`wishbone, ${part}, phone`, STOP, { viewport: PHONE }, shown);

@@ -10,16 +10,14 @@ import { nextName } from './model/variants';
 import { filesOfDrop, filesOfInput } from './model/files';
 import { Away, copy } from './panels/away';
 import { Chooser } from './panels/chooser';
-import { Changes } from './panels/changes';
 import { CurvePanel } from './panels/curve';
-import { DamperPanel, ImpactPanel, KinematicsPanel, SafeSpeedPanel } from './panels/further';
 import { Hints } from './panels/hints';
 import { useStore } from './panels/hooks';
 import { ContactCards } from './panels/contacts';
-import { ContactPanel, PosePanel } from './panels/question';
 import { Result } from './panels/result';
+import { Tabs } from './panels/tabs';
 import { VariantTable } from './panels/variants';
-import { Contributions, CurveTable, Findings, Hardpoints, Masses, Ratios } from './panels/tables';
+import { CurveTable, Findings } from './panels/tables';
 import { rangeOfMap } from './view/further';
 import { rampGradient } from './view/space';
 import { View } from './view/view';
@@ -92,17 +90,7 @@ export function App() {
             <Result />
             <Findings />
             <VariantTable />
-            <ContactPanel />
-            <PosePanel />
-            <Contributions />
-            <Ratios />
-            <KinematicsPanel />
-            <Changes />
-            <Hardpoints />
-            <Masses />
-            <DamperPanel />
-            <ImpactPanel />
-            {opened.scene.sheet ? null : <SafeSpeedPanel />}
+            <Tabs />
             <Away png={() => view.current?.png()} />
             <CurveTable />
           </aside>

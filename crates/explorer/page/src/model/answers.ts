@@ -33,6 +33,10 @@ export const DEFAULTS: Settings = {
 
 export type Kind = 'damper' | 'impact' | 'safe' | 'kinematics' | 'directions' | 'map';
 
+/** Tabs of the page, and the results of each. */
+export const TABS = { result: [], design: [], kinematics: ['kinematics'], safe: ['safe'], impact: ['impact', 'damper'] } satisfies Record<string, Kind[]>;
+export type Tab = keyof typeof TABS;
+
 export interface Results {
   damper: DampingReport;
   impact: ImpactReport;
@@ -55,7 +59,11 @@ export class Answers {
   /** Keys of the tables of a study that the panels ignore. */
   leftOut: { [K in Kind]?: string[] } = {};
   results: { [K in Kind]?: Outcome<Results[K]> } = {};
+  /** Results that the view shows. */
   private shown = new Set<Kind>();
+  tab: Tab = 'result';
+  /** Panels that the user has closed. */
+  private closed = new Set<Kind>();
   /** Study of the results. */
   private study: Study | undefined;
   private run = 0;
@@ -69,7 +77,39 @@ export class Answers {
   ) {}
 
   isShown(kind: Kind): boolean {
-    return this.shown.has(kind);
+    return this.wanted().includes(kind);
+  }
+
+  private wanted(): Kind[] {
+    return [...this.shown, ...TABS[this.tab].filter((kind) => !this.closed.has(kind))];
+  }
+
+  /** Turns to a tab; the name can come from a link. */
+  turnTo(tab: string | undefined) {
+    if (!tab || tab === this.tab || !Object.hasOwn(TABS, tab)) return;
+    this.tab = tab as Tab;
+    this.forget();
+  }
+
+  /** Opens or closes the panel of a result. */
+  fold(kind: Kind, open: boolean) {
+    if (open !== this.closed.has(kind)) return;
+    if (open) this.closed.delete(kind);
+    else this.closed.add(kind);
+    this.forget();
+  }
+
+  isOpen(kind: Kind): boolean {
+    return !this.closed.has(kind);
+  }
+
+  /** Deletes the results that are no longer displayed: they would not follow the study. */
+  private forget() {
+    const kinds = this.wanted();
+    this.results = Object.fromEntries(Object.entries(this.results).filter(([kind]) => kinds.includes(kind as Kind)));
+    this.study = undefined;
+    this.changed();
+    void this.refresh();
   }
 
   show(kind: Kind, on: boolean) {
@@ -95,12 +135,13 @@ export class Answers {
 
   /** True if the results belong to the displayed study. */
   isFresh(): boolean {
-    return this.shown.size === 0 || this.study === this.present().study;
+    return this.wanted().length === 0 || this.study === this.present().study;
   }
 
   clear() {
     this.results = {};
     this.moment = undefined;
+    this.tab = 'result';
     Object.assign(this.settings, { stop: '', further: {} });
     this.leftOut = {};
     this.study = undefined;
@@ -138,9 +179,11 @@ export class Answers {
   /** Requests all displayed results, unless they belong to the current study. A later call cancels an earlier one. */
   async refresh() {
     const { study, state } = this.present();
-    if (!study || this.study === study || this.shown.size === 0) return;
+    if (!study || this.study === study) return;
+    const kinds = this.wanted();
+    if (!kinds.length) return;
     const run = ++this.run;
-    for (const kind of [...this.shown]) {
+    for (const kind of kinds) {
       const result = await this.one(kind, study, state);
       if (run !== this.run || this.present().study !== study) return;
       this.results = { ...this.results, [kind]: result };

@@ -6,7 +6,7 @@ import type { ModelFiles } from './files';
 
 /** `text`, `files`: the model, and its further files in base64. Both are omitted if they are long; the link then requires a page with this
  * model. */
-export interface LinkedState { study: Study; text?: string; files?: Record<string, string>; driver?: string; view?: string; hidesHints?: boolean }
+export interface LinkedState { study: Study; text?: string; files?: Record<string, string>; driver?: string; view?: string; tab?: string; hidesHints?: boolean }
 
 export type ViewName = '3d' | 'front' | 'side' | 'top';
 

@@ -137,8 +137,8 @@ export class Store {
       const { files = own?.files, driver, study } = linked;
       await this.open({ name: study.model.path, text, files, shapes: own?.shapes }, study, driver);
       if (own) this.answers.begin(start.study?.panels);
-      if (linked.view) this.view = linked.view as ViewName;
-      this.hidesHints = linked.hidesHints ?? false;
+      Object.assign(this, { view: linked.view ?? this.view, hidesHints: linked.hidesHints ?? false });
+      this.answers.turnTo(linked.tab);
     } else if (start.model) {
       await this.open(start.model, start.study, start.driver);
       this.answers.begin(start.study?.panels);
@@ -401,7 +401,7 @@ export class Store {
   }
 
   linked() {
-    return { study: this.study!, text: this.text, files: this.files, driver: this.driver?.name, view: this.view, hidesHints: this.hidesHints };
+    return { study: this.study!, text: this.text, files: this.files, driver: this.driver?.name, view: this.view, tab: this.answers.tab, hidesHints: this.hidesHints };
   }
 
   /** Sensitivities to all hardpoints and masses: the time of some results. */

@@ -72,6 +72,12 @@ function pageText(): string {
   return `<!DOCTYPE html>\n${data.outerHTML}\n`;
 }
 
+/** Saves the sheet with the moved hardpoints and the changed masses. */
+export async function saveSheet() {
+  const sheet = await store.sheetText();
+  if (sheet) save(`${stem()}-changed.toml`, sheet, 'text/plain');
+}
+
 export function Away({ png }: { png(): string | undefined }) {
   const { study, driver, scene } = useStore();
   const [tab, setTab] = useState<'Command' | 'Study' | 'Python'>('Command');
@@ -102,7 +108,7 @@ export function Away({ png }: { png(): string | undefined }) {
           save(`${stem()}-view.png`, bytes, 'image/png');
         }}>View PNG</button>
         {scene.sheet?.hardpoints.length ? (
-          <button onClick={async () => { const sheet = await store.sheetText(); if (sheet) save(`${stem()}-changed.toml`, sheet, 'text/plain'); }}>Changed sheet</button>
+          <button onClick={saveSheet}>Changed sheet</button>
         ) : null}
         <button onClick={() => save(`${stem()}.html`, pageText(), 'text/html')}>Save page</button>
       </p>

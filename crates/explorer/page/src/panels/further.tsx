@@ -1,4 +1,5 @@
-// Further results: kinematics of the wheels, damper and simulator, impact, safe speed. A panel requests its result only while it is open.
+// Further results: kinematics of the wheels, damper and simulator, impact, safe speed. A panel requests its result only while its tab is
+// displayed and it is open.
 
 import type { ComponentChildren } from 'preact';
 import { useState } from 'preact/hooks';
@@ -8,6 +9,7 @@ import { digits, fixed, signed, words } from '../model/numbers';
 import { store } from '../model/store';
 import { commandOf, kinematicsCommand } from '../model/texts';
 import { copy } from './away';
+import { Details } from './details';
 import { TextField } from './field';
 import { useStore } from './hooks';
 import { Moments } from './moments';
@@ -26,7 +28,7 @@ function Panel<K extends Kind>({ kind, title, missing, children, result, command
   const { answers } = store;
   const found = answers.results[kind] as Outcome<Results[K]> | undefined;
   return (
-    <details class={`further ${kind}`} open={answers.isShown(kind)} onToggle={(event) => answers.show(kind, event.currentTarget.open)}>
+    <details class={`further ${kind}`} open={answers.isOpen(kind)} onToggle={(event) => answers.fold(kind, event.currentTarget.open)}>
       <summary><h2>{title}</h2></summary>
       {answers.isShown(kind) ? children : null}
       {answers.leftOut[kind]?.length ? <p class="soft">Keys of the study that this panel leaves out: {answers.leftOut[kind].join(', ')}.</p> : null}
@@ -179,8 +181,8 @@ export function DamperPanel() {
   );
 }
 
-/** Ratio to the impulse of the contact below which an impulse is a rounding error. */
-const SMALL_IMPULSE = 1e-9;
+/** Ratio to the impulse of the contact below which an impulse is a rounding error, and below which its row is in the closed table. */
+const [NO_IMPULSE, SMALL_IMPULSE] = [1e-9, 0.02];
 
 export function ImpactPanel() {
   return (
@@ -188,7 +190,14 @@ export function ImpactPanel() {
       const size = (force: (number | null)[]) => (force.some((f) => f === null) ? null : Math.hypot(...(force as number[])));
       const rows = found.reactions.map((r) => ({ name: r.name, place: r.place, on: r.on, size: size(r.force), open: r.open_by }))
         .sort((a, b) => (b.size ?? Infinity) - (a.size ?? Infinity));
-      const without = rows.filter((r) => r.size !== null && r.size <= SMALL_IMPULSE * found.impulse).length;
+      const above = (part: number) => rows.filter((r) => r.size === null || r.size > part * found.impulse);
+      const [some, large] = [above(NO_IMPULSE), above(SMALL_IMPULSE)];
+      const tableRow = (r: (typeof rows)[number]) => (
+        <tr key={r.place + r.name}>
+          <th scope="row" title={r.on ?? 'ground'}>{words(r.name)}</th>
+          <td class="n">{r.size === null ? <span title={`left open by ${r.open.join(', ')}`}>not determined</span> : digits(r.size, 3)}</td>
+        </tr>
+      );
       return (
         <>
           <Rows of={[
@@ -203,14 +212,12 @@ export function ImpactPanel() {
           {found.in_time ? <Moments found={found.in_time} /> : <>
           <table class="plain">
             <caption>impulses of joints, N·s; arrows in the view: on the second link</caption>
-            <tbody>{rows.slice(0, rows.length - without).map((r) => (
-              <tr key={r.place + r.name}>
-                <th scope="row" title={r.on ?? 'ground'}>{words(r.name)}</th>
-                <td class="n">{r.size === null ? <span title={`left open by ${r.open.join(', ')}`}>not determined</span> : digits(r.size, 3)}</td>
-              </tr>
-            ))}</tbody>
+            <tbody>{large.map(tableRow)}</tbody>
           </table>
-          {without ? <p class="soft">{without} further joints or frames have no impulse.</p> : null}
+          {some.length > large.length ? (
+            <Details title={`${some.length - large.length} with less than ${100 * SMALL_IMPULSE} %`} content={() => <table class="plain"><tbody>{some.slice(large.length).map(tableRow)}</tbody></table>} />
+          ) : null}
+          {rows.length > some.length ? <p class="soft">{rows.length - some.length} further joints or frames have no impulse.</p> : null}
           </>}
         </>
       );

@@ -120,7 +120,7 @@ function Explained({ report }: { report: MassReport }) {
             <button onClick={() => store.change({ ...study!, conditions: { ...study!.conditions, base: 'floating' } }, 'free the base')}>Let the base move freely</button>
           ) : null}
         </p>
-        <p class="soft">Or turn the normal: drag the head of the arrow, or choose another axis below.</p>
+        <p class="soft">Or turn the normal: drag the head of the arrow, or choose another axis in the tab Result.</p>
       </div>
     );
   }
@@ -128,7 +128,7 @@ function Explained({ report }: { report: MassReport }) {
     return (
       <div class="box">
         <p><b>Massless.</b> A motion without mass closes this gap: the link at the contact moves, and no link with mass moves with it.</p>
-        <p class="soft">Give the links of this motion a mass (Masses), or turn the normal.</p>
+        <p class="soft">Give the links of this motion a mass (tab Design), or turn the normal.</p>
       </div>
     );
   }

@@ -52,7 +52,7 @@ export function Hardpoints() {
   const decimals = { m: 4, cm: 2, mm: 1, in: 3 }[sheet.unit] ?? 3;
   const step = { m: 0.001, cm: 0.1, mm: 1, in: 0.05 }[sheet.unit] ?? 0.001;
   return (
-    <Details title={`Hardpoints, ${sheet.unit}`} startsOpen={!matchMedia('(max-width: 760px)').matches} content={() => (
+    <Details title={`Hardpoints, ${sheet.unit}`} startsOpen content={() => (
       <>
         <p class="soft">Drag in the view, or type; arrow keys move by {step} {sheet.unit}. {sheet.axes}.</p>
         <table class="points">
@@ -142,7 +142,7 @@ export function Masses() {
   const moments = (name: string) => turned[name] ?? scene.links.find((l) => l.name === name)?.moments;
   const [unit, perUnit] = inertiaUnit(Math.max(0, ...store.opened!.scene.links.flatMap((l) => l.moments ?? [])));
   return (
-    <Details title="Masses and moments of inertia" content={() => (
+    <Details title="Masses and moments of inertia" startsOpen={!scene.sheet?.hardpoints.length} content={() => (
       <>
         <table class="points inertias">
           <thead><tr><th /><th>kg</th>{['xx', 'yy', 'zz'].map((axes) => <th key={axes}>I<sub>{axes}</sub>, {unit}</th>)}</tr></thead>
