@@ -107,7 +107,10 @@ export async function executed(page, cwd) {
 }
 
 export async function center(page, selector) {
-  const box = await page.locator(selector).first().boundingBox();
+  const mark = page.locator(selector).first();
+  // The picture follows with the next frame.
+  await mark.waitFor();
+  const box = await mark.boundingBox();
   return { x: box.x + box.width / 2, y: box.y + box.height / 2 };
 }
 

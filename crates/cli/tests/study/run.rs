@@ -282,3 +282,28 @@ fn a_study_is_text() {
     std::fs::write(folder.path("bytes.toml"), [0xff, 0xfe, 0x00]).unwrap();
     assert!(percuss(&format!("run {}", folder.path("bytes.toml"))).stderr.contains("not UTF-8"));
 }
+
+/// The first page of an impact in time has four quadrants; the last shows its forces. An impact in an instant has no course.
+#[test]
+fn the_first_page_of_an_impact_has_its_forces_over_time() {
+    let folder = Scratch::new("run-quadrants");
+    let model = root().join("models/suspensions/double-wishbone.toml");
+    for (more, quadrants) in [("in_time = true", 4), ("", 3)] {
+        let path = folder.write(
+            "study.toml",
+            &format!(
+                "[model]\npath = {:?}\n[contact]\nat = \"bump_stop\"\n\
+                 [impact]\nrestitution = 0.3\nspeed = 0.5\nstiffness = 2e5\n{more}\n",
+                model.to_string_lossy()
+            ),
+        );
+        let written = folder.path(&format!("{quadrants}.html"));
+        assert_eq!(percuss(&format!("run {path} --report {written} --allow-outside")).code, 0);
+        let page = std::fs::read_to_string(&written).expect("written");
+        let first = page.split("class=\"quadrants\"").nth(1).and_then(|rest| rest.split("Holds for").next());
+        let first = first.expect("a first page");
+        assert_eq!(first.matches("<h3").count(), quadrants, "{more}");
+        assert_eq!(first.contains("Over the time of the impact"), quadrants == 4, "{more}");
+        assert_eq!(first.contains("time (ms)"), quadrants == 4, "{more}");
+    }
+}

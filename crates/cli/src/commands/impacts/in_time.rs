@@ -272,8 +272,20 @@ fn cells(found: &ImpactTimeRecord) -> Cells {
     (names, (0..found.times.len()).map(row).collect())
 }
 
-/// Figure of the impact in time: forces, penetration, effective mass.
+/// Forces of the contact and of the most loaded bearings over time, for a place beside text.
+pub fn forces_figure(report: &ImpactReport, found: &ImpactTimeRecord) -> Figure {
+    let whole = figure(report, found);
+    let panels = whole.panels.iter().take(1).cloned().collect();
+    Figure { title: String::new(), subtitle: String::new(), panels, is_half: true, ..whole }
+}
+
+/// Sheet with the figure of the impact in time.
 pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
+    Sheet { figures: vec![figure(report, found)] }
+}
+
+/// Figure of the impact in time: forces, penetration, effective mass.
+fn figure(report: &ImpactReport, found: &ImpactTimeRecord) -> Figure {
     let over_time = |values: &dyn Fn(usize) -> Option<f64>| -> Vec<(f64, Option<f64>)> {
         found.times.iter().enumerate().map(|(k, t)| (1e3 * t, values(k))).collect()
     };
@@ -306,7 +318,7 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
     });
     // For a moment, the contact has a moment in N·m; the bearings have forces in N.
     let label = if is_moment { "moment (N·m), forces (N)" } else { "force (N)" };
-    let figure = Figure {
+    Figure {
         title: format!(
             "Impact in time: restitution {}, peak force {}",
             number(found.restitution),
@@ -324,6 +336,5 @@ pub fn sheet(report: &ImpactReport, found: &ImpactTimeRecord) -> Sheet {
             .collect(),
         marks: deepest.into_iter().collect(),
         ..Figure::default()
-    };
-    Sheet { figures: vec![figure] }
+    }
 }

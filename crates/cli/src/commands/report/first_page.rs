@@ -3,7 +3,7 @@
 use super::contact::uncertainty_words;
 use super::results::StudyResults;
 use crate::commands::damp::{self, law_name};
-use crate::commands::impacts::in_time::{energy_lost, energy_name};
+use crate::commands::impacts::in_time::{energy_lost, energy_name, forces_figure};
 use crate::commands::impacts::rigid_impact::bearings;
 use crate::commands::mass::conditions::other_base;
 use crate::commands::mass::{contributions, mass_text, moving_mass};
@@ -68,6 +68,12 @@ pub(super) fn add_quadrants(
             page.heading("Do not use instead");
             page.table_with_bars(&instead);
         }
+        page.close_quadrant();
+    } else if let Some((impact, found)) =
+        results.report.impact.as_ref().and_then(|impact| Some((impact, impact.in_time.as_ref()?)))
+    {
+        page.open_quadrant("Over the time of the impact");
+        page.picture(&forces_figure(impact, found).to_svg(), "Forces over the time of the impact", "");
         page.close_quadrant();
     }
     page.close_quadrants(foot);

@@ -249,7 +249,7 @@ export function SafeSpeedPanel() {
     )}>
       <Choice name="region" label="region" of={[['', 'held, cannot move'], ...REGIONS]} />
       <Choice name="limit" label="limit" of={LIMITS} />
-      <Field name="limitValue" label={`${answers.settings.limit}, ${unit}`} hint="from your edition of the standard" />
+      <Field name="limitValue" label={`${answers.settings.limit}, ${unit}`} hint="from your standard" />
       {answers.settings.limit === 'pressure' ? <Field name="area" label="area, cm²" /> : null}
       <Field name="load" label="load, kg" />
     </Panel>
