@@ -53,6 +53,7 @@ export const designTests = {
   async 'a dragged contact moves no hardpoint'(browser) {
     const page = await open(browser, explore(SHEET, '--at', 'bump_stop'));
     await settle(page);
+    await rested(page);
     const point = await center(page, '[data-contact=point]');
     const ring = await center(page, 'circle[data-point=bump_stop_pad]');
     assert.ok(Math.hypot(point.x - ring.x, point.y - ring.y) < 1, 'the contact is at a hardpoint');
@@ -61,6 +62,8 @@ export const designTests = {
     assert.equal(study.model.move, undefined);
     assert.equal(study.contact.at, undefined);
     await page.keyboard.press('Control+z');
+    // The mechanism returns to the touch.
+    await rested(page);
     // The card makes a contact where the next click is; no ring and no link is dragged.
     await page.click('.card.add');
     const at = await center(page, 'circle[data-point=lower_ball]');
