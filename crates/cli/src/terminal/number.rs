@@ -101,6 +101,18 @@ pub fn within_uncertainty(x: f64, uncertainty: f64) -> String {
     fixed((x / unit).round() * unit, 0)
 }
 
+/// Formats at most the significant digits that an uncertainty supports, to its second one; a bound for a number below its uncertainty.
+pub fn supported(x: f64, uncertainty: f64) -> String {
+    if x != 0.0 && x.abs() <= uncertainty {
+        return format!("less than {}", upper_bound(uncertainty));
+    }
+    let figures = x.abs().log10().floor() - uncertainty.log10().floor() + 2.0;
+    if figures < digits() as f64 {
+        return format!("{x:.*e}", figures as usize - 1).parse().map_or_else(|_| number(x), number);
+    }
+    number(x)
+}
+
 /// Formats one digit, rounded up: for upper bounds. Two digits for a number slightly above a power of ten: 1.1e-3, not 2e-3.
 pub fn upper_bound(x: f64) -> String {
     let nearest = format!("{x:.0e}");
@@ -198,6 +210,17 @@ mod tests {
             [(137.800409, 1.1782, "137.8"), (0.0123456, 3.4e-4, "0.01235"), (-98765.4, 1234.0, "−98800")];
         for (x, uncertainty, text) in cases {
             assert_eq!(within_uncertainty(x, uncertainty), text);
+        }
+        let cases = [
+            (0.44721359, 2e-7, "0.4472"),
+            (0.44721359, 3e-3, "0.447"),
+            (-5.2e-10, 2e-7, "less than 2e-7"),
+            (-2.34e-7, 2e-7, "−2.3e-7"),
+            (0.75, 0.0, "0.75"),
+            (0.0, 1e-9, "0"),
+        ];
+        for (x, uncertainty, text) in cases {
+            assert_eq!(supported(x, uncertainty), text);
         }
         // Without an uncertainty, all digits.
         assert_eq!(within_uncertainty(0.75, 0.0), "0.75");

@@ -205,6 +205,16 @@ fn impedances_of_mujoco_are_as_measured() {
     }
 }
 
+/// DART has no rebound below 0.1 m/s, that is at a closing speed below 0.1/e m/s.
+#[test]
+fn gazebo_rebounds_from_the_slowest_rebound_on() {
+    let given = [("restitution_coefficient".to_owned(), vec![0.5])];
+    let simulated = Tool::GAZEBO.simulated(2.0, &given).expect("a contact")[0];
+    for (speed, restitution) in [(0.04, 0.0), (0.19, 0.0), (0.21, 0.5), (3.0, 0.5)] {
+        assert_eq!(simulated.impact(2.0, speed).expect("an impact").restitution, restitution, "{speed}");
+    }
+}
+
 /// The standard format of MuJoCo has a time constant, which an undamped contact lacks.
 #[test]
 fn only_an_undamped_contact_has_no_standard_format() {

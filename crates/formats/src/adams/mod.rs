@@ -13,6 +13,7 @@
 mod graph;
 mod statements;
 
+use crate::reading::findings::similar_name;
 use crate::reading::report::{Place, Report, quoted};
 use crate::urdf::load::{LoadOptions, Loaded};
 use crate::{LoadError, Source};
@@ -69,6 +70,21 @@ const WITHOUT_EFFECT: &str = "ACCGRAV ADAMS ANALYSIS ARRAY CURVE DEBUG EQUILIBRI
 const FORCES: &str =
     "BEAM BUSHING CONTACT FIELD FRICTION GFORCE MFORCE NFORCE SFORCE SPRINGDAMPER TIRE VFORCE VTORQUE";
 
+/// Arguments of the statements that are read; those without an influence on the pose and the masses are included.
+const ARGUMENTS: [(&str, &str); 5] = [
+    ("UNITS", "SYSTEM FORCE LENGTH MASS TIME UCF"),
+    (
+        "PART",
+        "GROUND MASS CM IM IP QG REULER XG ZG VX VY VZ WX WY WZ VM WM EXACT MATERIAL RM USEXP FLEX_BODY POINT_MASS CURVE SURFACE FLOATING",
+    ),
+    ("MARKER", "PART QP REULER XP ZP XG ZG USEXP RM FLEX_BODY POINT_MASS CURVE SURFACE FLOATING NODE_ID"),
+    (
+        "JOINT",
+        "I J IC ICTRAN ICROT REVOLUTE TRANSLATIONAL CYLINDRICAL SPHERICAL UNIVERSAL PLANAR FIXED HOOKE CONVEL RACKPIN SCREW PD PITCH",
+    ),
+    ("JPRIM", "I J ATPOINT INPLANE INLINE ORIENTATION PARALLEL_AXES PERPENDICULAR"),
+];
+
 /// True for a file with the ending of a dataset.
 pub(crate) fn is_dataset(source: &Source) -> bool {
     let name = source.file().to_ascii_lowercase();
@@ -114,6 +130,9 @@ impl Reader<'_> {
         let statements = read(text);
         let of = |kind: &'static str| statements.iter().filter(move |statement| statement.kind == kind);
         self.units(of("UNITS").next());
+        if let Some(second) = of("UNITS").nth(1) {
+            self.error("duplicate-name", second, "a second UNITS; one is expected");
+        }
         let mut markers: HashMap<String, Marker> = HashMap::new();
         for statement in of("MARKER") {
             let marker = self.marker(statement);
@@ -136,6 +155,7 @@ impl Reader<'_> {
             let name = statement.name();
             let place = Place::Named(statement.at, &name);
             let is_in = |list: &str| list.split_whitespace().any(|word| word == statement.kind);
+            self.check_arguments(statement);
             match statement.kind.as_str() {
                 "PART" | "MARKER" | "UNITS" => {}
                 "JOINT" | "JPRIM" => connections.extend(self.connection(statement, &index, &markers)),
@@ -208,6 +228,26 @@ impl Reader<'_> {
         let mechanism = mechanism?;
         let shapes = vec![Vec::new(); mechanism.links().len()];
         Some(Loaded::new(mechanism, shapes))
+    }
+
+    /// Names arguments of a statement that are not read, and arguments that are given twice.
+    fn check_arguments(&mut self, statement: &Statement) {
+        let Some((_, known)) = ARGUMENTS.iter().find(|(kind, _)| *kind == statement.kind) else { return };
+        let mut seen = HashSet::new();
+        for (name, _) in &statement.arguments {
+            if !seen.insert(name) {
+                self.error(
+                    "duplicate-name",
+                    statement,
+                    format!("the argument {} is given twice", quoted(name)),
+                );
+            } else if !known.split(' ').any(|known| known == name) {
+                let similar = similar_name(name, known.split(' '));
+                self.report.warning("ignored", Place::Named(statement.at, &statement.name()), || {
+                    format!("the argument {} is not known and ignored{similar}", quoted(name))
+                });
+            }
+        }
     }
 
     /// Reads the units.
@@ -351,6 +391,9 @@ impl Reader<'_> {
 
     /// Mass and inertia of a part in its own frame: IP of the marker IM, moved to the centre of mass.
     fn inertial(&mut self, statement: &Statement, markers: &HashMap<String, Marker>) -> Option<Inertial> {
+        if let (None, Some(_)) = (statement.values("MASS"), statement.values("IP")) {
+            self.error("missing-attribute", statement, "IP is given without MASS; give the mass of the part");
+        }
         let mass = self.numbers(statement, "MASS", &[1])?[0] * self.mass;
         if mass == 0.0 && statement.values("CM").is_none() {
             return None;

@@ -8,6 +8,21 @@ use roxmltree::{Document, ParsingOptions};
 /// Node of a document, with one lifetime for the document and its text.
 pub(crate) type Node<'a> = roxmltree::Node<'a, 'a>;
 
+/// Text of an element without the comments beside it. Two texts with a comment between them are no value: both, with the comment. Of
+/// texts between elements the first one.
+pub(crate) fn text_of<'a>(node: roxmltree::Node<'a, '_>) -> Option<&'a str> {
+    let is_word = |child: &roxmltree::Node<'_, '_>| {
+        child.is_text() && child.text().is_some_and(|text| !text.trim_ascii().is_empty())
+    };
+    let mut texts = node.children().filter(is_word);
+    match (texts.next()?, texts.next_back()) {
+        (first, Some(last)) if !node.children().any(|child| child.is_element()) => {
+            node.document().input_text().get(first.range().start..last.range().end)
+        }
+        (first, _) => first.text(),
+    }
+}
+
 /// Parses a text; `None`, with an error in the report, if it exceeds the bounds or is not well-formed.
 pub(crate) fn parse<'t>(text: &'t str, report: &mut Report) -> Option<Document<'t>> {
     if !prescan::check_bounds(text, report) {
@@ -62,6 +77,9 @@ fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report)
             return;
         }
         Error::UnexpectedDeclaration(_) => ": delete what precedes <?xml".to_owned(),
+        Error::MalformedEntityReference(_) => ": write &amp; for the character &".to_owned(),
+        Error::UnknownEntityReference(..) => ": write the character itself, or declare the entity".to_owned(),
+        Error::UnknownToken(position) => after_root(text, byte_offset(text, position.row, position.col)),
         Error::NodesLimitReached => {
             report.error("too-complex", Place::File, || {
                 format!("more than {} elements, comments and stretches of text", MAX_NODES)
@@ -83,6 +101,15 @@ fn report_parse_error(text: &str, error: &roxmltree::Error, report: &mut Report)
     report.error("not-xml", place, || {
         format!("not well-formed XML: {}{remedy}", cut(&message, MAX_PARSER_MESSAGE))
     });
+}
+
+/// Remedy for text behind the end tag of the root element; empty at another place.
+fn after_root(text: &str, offset: usize) -> String {
+    let end = root_name(text).map(|root| format!("</{root}>"));
+    match end.filter(|end| text[..offset].trim_end().ends_with(end)) {
+        Some(end) => format!(": delete what follows {}", shortened(&end)),
+        None => String::new(),
+    }
 }
 
 /// Byte offset of a line and column (in characters), both from 1.

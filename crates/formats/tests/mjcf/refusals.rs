@@ -119,6 +119,21 @@ fn values_that_mujoco_refuses() {
         ("<body pos=\"0 nan 0\"/>", "bad-number", &["nan"]),
         ("<body><joint/><geom type=\"plane\" size=\"1 1 1\"/></body>", "moving-plane", &["cannot move"]),
         ("<replicate count=\"0\"/>", "bad-count", &["positive"]),
+        (
+            "<body><joint/><geom size=\".1\"/><geom size=\".1\" mass=\"-1\"/></body>",
+            "negative-mass",
+            &["mass is -1"],
+        ),
+        (
+            "<body><joint/><geom size=\".1\"/><geom size=\".1\" density=\"-1\"/></body>",
+            "negative-mass",
+            &["density is -1"],
+        ),
+        (
+            "<body><joint/><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\" fullinertia=\"1 1 1 0 0 0\"/></body>",
+            "two-orientations",
+            &["fullinertia and diaginertia"],
+        ),
         ("<replicate count=\"2\"><joint/></replicate>", "misplaced", &["<replicate>"]),
     ] {
         assert_refused(&model(body, ""), code, words);
@@ -143,6 +158,11 @@ fn values_that_mujoco_refuses() {
     let twice =
         "<equality><joint joint1=\"j\" polycoef=\"0.1\"/><joint joint1=\"j\" polycoef=\"0.2\"/></equality>";
     assert_refused(&model(ARM, twice), "contradiction", &["earlier constraints"]);
+    let own = "<equality><joint joint1=\"j\" joint2=\"j\" polycoef=\"0 2\"/></equality>";
+    assert_refused(&model(ARM, own), "unsupported", &["the same joint"]);
+    let terms = "<joint joint=\"j\" coef=\"1\"/>".repeat(2);
+    let twice = format!("<tendon><fixed name=\"t\" armature=\"1\">{terms}</fixed></tendon>");
+    assert_refused(&model(ARM, &twice), "duplicate-name", &["\"j\" occurs twice"]);
 }
 
 #[test]

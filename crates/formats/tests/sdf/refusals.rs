@@ -65,11 +65,31 @@ fn files_that_would_give_another_mechanism_are_refused() {
 }
 
 #[test]
+fn a_comment_within_a_number_makes_two_values() {
+    let text = |mass: &str| {
+        model(
+            9,
+            &(link("a", "").replace("<mass>2<", &format!("<mass>{mass}<"))
+                + &joint("j", "revolute", "world", "a", &axis("0 0 1", ""))),
+        )
+    };
+    for mass in ["<!-- kg -->2", "2<!-- kg -->"] {
+        assert_eq!(codes(&load_sdf(&text(mass))), [], "{mass}");
+    }
+    assert!(load_sdf(&text("2<!-- kg -->5")).is_err());
+}
+
+#[test]
 fn doubtful_files_are_read_with_a_warning() {
     let base = link("a", "") + &joint("j", "fixed", "world", "a", "");
     for (contents, code) in [
         ("<nonsense/>".to_owned(), "unknown-element"),
         ("<drake:linear_bushing_rpy/>".to_owned(), "ignored"),
+        (
+            joint("k", "revolute", "a", "b", "<axis>0 1 0<limit><lower>-1</lower></limit></axis>")
+                + &link("b", ""),
+            "stray-text",
+        ),
         (
             "<plugin filename=\"libroboticsgroup_gazebo_mimic_joint_plugin.so\" name=\"p\"/>".to_owned(),
             "plugin",
@@ -78,6 +98,17 @@ fn doubtful_files_are_read_with_a_warning() {
             link("b", "<visual name=\"v\"><pose>0 0 0 0 0 0</pose><pose>0 0 1 0 0 0</pose></visual>")
                 + &joint("k", "fixed", "world", "b", ""),
             "duplicate-element",
+        ),
+        (
+            joint("k", "revolute", "a", "b", &axis("0 0 1", "<initial_position>-0.5</initial_position>"))
+                + &link("b", ""),
+            "ignored",
+        ),
+        (
+            "<link name=\"b\"><inertial><pose frame=\"a\">1 0 0 0 0 0</pose><mass>1</mass></inertial></link>"
+                .to_owned()
+                + &joint("k", "fixed", "world", "b", ""),
+            "ignored",
         ),
         (link("b", "<kinematic>true</kinematic>") + &joint("k", "fixed", "world", "b", ""), "ignored"),
     ] {

@@ -195,6 +195,37 @@ fn mimics_of_simulators_are_read() {
 }
 
 /// Armature I·N² for every place and spelling.
+/// A comment beside a value has no effect; within a value it makes the value no number.
+#[test]
+fn comments_beside_values_have_no_effect() {
+    for value in ["2", "<!-- c -->2", "2<!-- c -->", "\n <!-- c -->\n 2\n", "<?p?>2<!-- c --> "] {
+        let joint = value.replace('2', "ja");
+        for extra in [
+            format!(
+                "<gazebo reference=\"jb\"><mimic><joint>{joint}</joint><multiplier>{value}</multiplier></mimic></gazebo>"
+            ),
+            format!(
+                "<ros2_control name=\"c\"><joint name=\"jb\"><param name=\"mimic\">{joint}</param><param name=\"multiplier\">{value}</param>\
+                 </joint></ros2_control>"
+            ),
+            format!(
+                "<gazebo><plugin name=\"m\" filename=\"libmimic.so\"><joint>{joint}</joint><mimicJoint>jb</mimicJoint>\
+                 <multiplier>{value}</multiplier></plugin></gazebo>"
+            ),
+        ] {
+            assert_eq!(mimic(&extra), Some([2.0, 0.0]), "{extra}");
+        }
+        let armature = format!("<gazebo reference=\"jb\"><armature>{value}</armature></gazebo>");
+        let loaded = loaded(&armature);
+        let id = loaded.mechanism.find_joint("jb").expect("a joint");
+        assert_eq!(loaded.mechanism.joint(id).armature(), [2.0], "{armature}");
+    }
+    let split =
+        "<gazebo reference=\"jb\"><mimic joint=\"ja\"><multiplier>2<!-- c -->5</multiplier></mimic></gazebo>";
+    assert!(mimic(split).is_none() && !warnings(split).is_empty());
+    assert!(!warnings("<gazebo reference=\"a\"><kinematic><!-- c -->true</kinematic></gazebo>").is_empty());
+}
+
 #[test]
 fn rotors_of_transmissions_are_armatures() {
     let armature = |extra: &str| {
@@ -250,6 +281,18 @@ fn rotors_of_transmissions_are_armatures() {
         assert!(found.len() == 1 && found[0].contains(said), "{unread}: {found:?}");
         assert_eq!(armature(&unread), [0.0; 1], "{unread}");
     }
+    // Two motors, or two armatures, of a joint.
+    let motor = |name: &str| {
+        format!(
+            "<actuator name=\"{name}\"><motorInertia>1e-5</motorInertia><mechanicalReduction>10</mechanicalReduction></actuator>"
+        )
+    };
+    let transmission =
+        |motors: &str| format!("<transmission name=\"t\"><joint name=\"ja\"/>{motors}</transmission>");
+    assert!(warnings(&transmission(&motor("m"))).is_empty());
+    assert!(warnings(&transmission(&(motor("m") + &motor("n"))))[0].contains("second motor"));
+    let twice = "<gazebo reference=\"ja\"><armature>0.1</armature><armature>0.2</armature></gazebo>";
+    assert!(warnings(twice)[0].contains("0.2"));
 }
 
 /// Notations that other parsers read: the same mechanism, with a note, and findings on the right lines.

@@ -109,7 +109,7 @@ pub struct ResponseReport {
 /// Response of a contact of a model with bushes, springs and dampers of the sheet included.
 ///
 /// # Errors
-/// [`StudyError`]: as for [`mass`](crate::mass()); a mechanism that is too large.
+/// [`StudyError`]: as for [`mass`](crate::mass()); a mechanism that is too large; a gap that no motion closes.
 pub fn response(
     model: &Model,
     question: &MassQuestion,
@@ -118,6 +118,10 @@ pub fn response(
     asked.check()?;
     let evaluated = EvaluatedQuestion::new(model, question)?;
     let (system, left_out) = elastic_system(&evaluated)?;
+    if system.is_immovable() {
+        let why = "no motion of the mechanism closes the gap, also with elastic bushes and gears: the contact has no response";
+        return Err(StudyError::NoResult(why.to_owned()));
+    }
     let frequency = asked.frequency.unwrap_or_default().values();
     let omega: Vec<f64> = frequency.iter().map(|f| TAU * f).collect();
     let found = system.receptance(&omega).map_err(compliance_error)?;

@@ -4,7 +4,7 @@ use crate::document::Document;
 use crate::files::contents::Cells;
 use crate::files::csv::Cell;
 use crate::terminal::limits::MODES_SHOWN;
-use crate::terminal::number::{load, number, signed, with_unit};
+use crate::terminal::number::{load, number, signed, supported, upper_bound, with_unit};
 use crate::terminal::report::details_are_shown;
 use crate::terminal::text::{Table, TableCell};
 use crate::terminal::units::ContactUnits;
@@ -53,18 +53,19 @@ pub fn facts(report: &ImpactReport, rigid: &ImpactTimeRecord) -> Vec<(&'static s
     }
     if details_are_shown() {
         let energy = found.energy;
+        let error = energy.residual.abs();
         facts.push((
             "energy",
             format!(
                 "{} J kinetic before, {} J after; bushes and springs store {} J and take {} J, the contact takes {} J, other forces give {} J; \
-                 balance to {:.0e} J",
+                 balance to {} J",
                 number(energy.kinetic_before),
-                number(energy.kinetic_after),
-                number(energy.stored),
-                number(energy.dissipated),
-                number(energy.taken_by_contact),
-                number(energy.work_of_other_forces),
-                energy.residual.abs()
+                supported(energy.kinetic_after, error),
+                supported(energy.stored, error),
+                supported(energy.dissipated, error),
+                supported(energy.taken_by_contact, error),
+                supported(energy.work_of_other_forces, error),
+                upper_bound(error)
             ),
         ));
     }

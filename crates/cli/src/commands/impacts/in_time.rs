@@ -7,7 +7,7 @@ use crate::files::contents::{Cells, Contents};
 use crate::files::csv::Cell;
 use crate::files::output::record_input;
 use crate::terminal::failure::Failure;
-use crate::terminal::number::{load, number, signed, with_unit};
+use crate::terminal::number::{load, number, signed, supported, upper_bound, with_unit};
 use crate::terminal::report::details_are_shown;
 use crate::terminal::units::ContactUnits;
 use percuss_render::{Figure, Mark, Panel, Picture, Series, Sheet, Style};
@@ -55,13 +55,14 @@ pub fn facts(report: &ImpactReport) -> Vec<(&'static str, String)> {
     }
     if found.energy.work_of_other_forces != 0.0 {
         let energy = &found.energy;
+        let error = energy.residual.abs();
         let text = format!(
-            "{} J kinetic before, {} J after; the contact takes {} J, the other forces give {} J; balance to {:.0e} J",
+            "{} J kinetic before, {} J after; the contact takes {} J, the other forces give {} J; balance to {} J",
             number(energy.kinetic_before),
-            number(energy.kinetic_after),
-            number(energy.taken_by_contact),
-            number(energy.work_of_other_forces),
-            energy.residual.abs()
+            supported(energy.kinetic_after, error),
+            supported(energy.taken_by_contact, error),
+            supported(energy.work_of_other_forces, error),
+            upper_bound(error)
         );
         facts.push(("energy", text));
     }

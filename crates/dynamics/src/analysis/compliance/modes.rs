@@ -32,6 +32,9 @@ impl ElasticSystem {
     /// # Errors
     /// [`ComplianceError`]: a decomposition that does not converge, an equilibrium that the forces at the pose make unstable.
     pub fn modes(&self) -> Result<Vec<Mode>, ComplianceError> {
+        if self.contact.is_empty() {
+            return Ok(Vec::new());
+        }
         let stiffness = self.sum_of_rows(|row| row.stiffness);
         let (masses, vectors) = symmetric_eigen(&self.mass).ok_or(ComplianceError::Decomposition)?;
         let largest = masses.iter().fold(0.0_f64, |most, x| most.max(x.abs()));

@@ -38,8 +38,8 @@ impl Receptance {
 }
 
 impl ElasticSystem {
-    /// Receptance at angular frequencies above 0, rad/s. `None` for a frequency at which the solution does not exist, and for all of them if a motion
-    /// without mass, stiffness and damping closes the gap.
+    /// Receptance at angular frequencies above 0, rad/s. `None` for a frequency at which the solution does not exist, and for all of them if no motion
+    /// closes the gap, or one without mass, stiffness and damping.
     ///
     /// # Errors
     /// [`ComplianceError`]: a decomposition that does not converge.
@@ -47,7 +47,8 @@ impl ElasticSystem {
         &self,
         angular_frequencies: &[f64],
     ) -> Result<Vec<Option<Receptance>>, ComplianceError> {
-        let Some(basis) = self.resisting_motions(ElasticRow::acts)? else {
+        let basis = if self.is_immovable { None } else { self.resisting_motions(ElasticRow::acts)? };
+        let Some(basis) = basis else {
             return Ok(vec![None; angular_frequencies.len()]);
         };
         let reduce = |matrix: DMatrix<f64>| basis.tr_mul(&matrix) * &basis;

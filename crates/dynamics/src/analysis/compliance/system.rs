@@ -8,7 +8,9 @@ use crate::kinematics::contact::LocatedContact;
 use crate::kinematics::frames::Kinematics;
 use crate::model::Model;
 use crate::model::conditions::Conditions;
-use crate::tolerances::{COMPLIANT_COORDINATES, INEXACT_RANK_FACTOR, LARGEST_RANK_FLOOR, RANK_FLOOR};
+use crate::tolerances::{
+    COMPLIANT_COORDINATES, IMMOVABLE, INEXACT_RANK_FACTOR, LARGEST_RANK_FLOOR, RANK_FLOOR,
+};
 use nalgebra::{DMatrix, DVector};
 use percuss_mechanism::{JointId, JointKind};
 use percuss_spatial::Transform;
@@ -32,6 +34,8 @@ pub struct ElasticSystem {
     pub(super) basis: DMatrix<f64>,
     pub(super) mass: DMatrix<f64>,
     pub(super) contact: DVector<f64>,
+    /// True if no motion closes the gap, with all elements free.
+    pub(super) is_immovable: bool,
     pub(super) located: LocatedContact,
     /// Rows of the elements over z, without ideal rows.
     pub(super) rows: Vec<ElasticRow>,
@@ -153,9 +157,11 @@ impl ElasticSystem {
                 row.row.fill(0.0);
             }
         }
+        let reduced = basis.tr_mul(&closing);
         Ok(Self {
             mass: basis.tr_mul(&mass) * &basis,
-            contact: basis.tr_mul(&closing),
+            is_immovable: reduced.norm() <= IMMOVABLE * closing.norm(),
+            contact: reduced,
             located: *contact,
             basis: DMatrix::from_fn(own, basis.ncols(), |r, c| scale[r] * basis[(r, c)]),
             rows: elastic,
@@ -164,6 +170,11 @@ impl ElasticSystem {
             kinematics,
             floor,
         })
+    }
+
+    /// True if no motion closes the gap, with all elements free.
+    pub fn is_immovable(&self) -> bool {
+        self.is_immovable
     }
 
     /// Σ f(row) bᵀb over the rows of the elements.

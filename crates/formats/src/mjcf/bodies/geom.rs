@@ -87,6 +87,15 @@ pub(crate) fn read_geom(
         None => read_pose(attributes, settings, findings),
     };
     let shape = read_shape(attributes, kind, half_length, findings)?;
+    let [mass, density] = ["mass", "density"].map(|name| {
+        let value = attributes.number(name, findings);
+        if let Some(value) = value.filter(|value| *value < 0.0) {
+            findings.attribute_error("negative-mass", attributes.element, name, || {
+                format!("{name} is {value}; it must be 0 or more")
+            });
+        }
+        value
+    });
     let is_visual = ["contype", "conaffinity"]
         .map(|name| attributes.number(name, findings).unwrap_or(1.0))
         .iter()
@@ -95,8 +104,8 @@ pub(crate) fn read_geom(
         element: attributes.element,
         shape,
         frame: *x_bf * frame,
-        mass: attributes.number("mass", findings),
-        density: attributes.number("density", findings).unwrap_or(DEFAULT_DENSITY),
+        mass,
+        density: density.unwrap_or(DEFAULT_DENSITY),
         is_shell: attributes.flag("shellinertia", findings).unwrap_or(false),
         group: attributes.number("group", findings).unwrap_or(0.0),
         purpose: if is_visual { Purpose::Visual } else { Purpose::Collision },

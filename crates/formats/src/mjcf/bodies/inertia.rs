@@ -41,6 +41,11 @@ pub(crate) fn read_inertial(
             format!("fullinertia and {name} are both given; fullinertia is in the axes of the body")
         });
     }
+    if full.is_some() && principal.is_some() {
+        findings.attribute_error("two-orientations", element, "diaginertia", || {
+            "fullinertia and diaginertia are both given; one of them is expected".to_owned()
+        });
+    }
     let tensor = match (full, principal) {
         (Some([xx, yy, zz, xy, xz, yz]), _) => Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz),
         (None, Some(moments)) => Matrix3::from_diagonal(&moments.into()),

@@ -226,6 +226,12 @@ impl EqualityReader<'_, '_> {
             Some(name) => Some(self.bodies.scalar_joint_named(name, (element, "joint2"), findings)?),
             None => None,
         };
+        if driver == Some(dependent) {
+            findings.attribute_error("unsupported", element, "joint2", || {
+                "joint1 and joint2 are the same joint; two joints are expected, or joint1 alone, which is locked"
+                    .to_owned()
+            });
+        }
         let coefficients = coefficients?;
         let driver = driver.map(|joint| vec![(joint, 1.0)]);
         let sum = joint_sum(vec![(dependent, 1.0)], driver.as_deref(), coefficients);

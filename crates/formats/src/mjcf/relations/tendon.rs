@@ -7,6 +7,7 @@ use crate::mjcf::values::classes::DefaultKind;
 use crate::mjcf::values::models::Models;
 use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::Findings;
+use crate::reading::report::quoted;
 use std::collections::{HashMap, HashSet};
 
 /// Path of a tendon.
@@ -81,7 +82,7 @@ pub(crate) fn read_tendons(
 
 /// Path of a `<fixed>` tendon, whose length is Σ coefficient · joint position.
 fn fixed_path(element: ElementId, bodies: &Bodies, findings: &mut Findings<'_>) -> TendonPath {
-    let mut terms = Vec::new();
+    let mut terms: Vec<(JointKey, f64)> = Vec::new();
     for child in findings.tree.children_named(element, "joint") {
         let attributes = Attributes::new(findings.tree, child);
         let Some(coefficient) = attributes.number("coef", findings) else {
@@ -94,6 +95,11 @@ fn fixed_path(element: ElementId, bodies: &Bodies, findings: &mut Findings<'_>) 
         };
         let name = attributes.text("joint").unwrap_or_default();
         if let Some(joint) = bodies.scalar_joint_named(name, (child, "joint"), findings) {
+            if terms.iter().any(|(other, _)| *other == joint) {
+                findings.attribute_error("duplicate-name", child, "joint", || {
+                    format!("the joint {} occurs twice in the tendon; add its coefficients", quoted(name))
+                });
+            }
             terms.push((joint, coefficient));
         }
     }

@@ -4,7 +4,7 @@ use crate::reading::document::element_tree::ElementId;
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::findings::{Findings, similar_name};
 use crate::reading::plugins::{changes_joint, keyed_value, unread_joint_message};
-use crate::reading::report::shortened;
+use crate::reading::report::{quoted, shortened};
 use percuss_mechanism::Severity;
 
 /// Applies the treatments to the children of an element. The recursion is bounded by the depth of the table.
@@ -36,6 +36,15 @@ pub(crate) fn check_children(parent: ElementId, rules: &'static [ElementRule], f
                 findings.add_once(severity, code, tag, child, || reason.to_owned());
             }
             (None, Some(children)) => {
+                // A value has an element of its own, such as <xyz> in <axis>.
+                if !children.is_empty() && !tree.text(child).is_empty() {
+                    findings.add_once(Severity::Warning, "stray-text", tag, child, || {
+                        format!(
+                            "the text {} between the elements of <{tag}> is ignored",
+                            quoted(tree.text(child))
+                        )
+                    });
+                }
                 check_attributes(child, rule, findings);
                 check_children(child, children, findings);
             }

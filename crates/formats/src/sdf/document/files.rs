@@ -186,7 +186,7 @@ fn element(node: Node<'_, '_>, file: usize, parent: Option<ElementId>) -> Elemen
         Some(prefix) => format!("{prefix}:{}", name.name()),
         None => name.name().to_owned(),
     };
-    let text: String = node.children().filter(Node::is_text).filter_map(|text| text.text()).collect();
+    let text = xml::text_of(node).unwrap_or_default();
     let own = Element::new(node, file, parent, |attribute| attribute.namespace().is_none());
     Element { tag, text: text.trim_ascii().to_owned(), ..own }
 }

@@ -131,5 +131,5 @@ const IN_AXIS: &[ElementRule] = &[
         &[value("damping spring_stiffness spring_reference"), unread("friction", Silent)],
     )
     .single(),
-    unread("initial_position", Silent),
+    value("initial_position"),
 ];

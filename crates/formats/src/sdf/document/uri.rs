@@ -2,6 +2,7 @@
 
 use crate::meshes::files::MeshFolders;
 use crate::reading::report::quoted;
+use crate::reading::xml::text_of;
 use crate::{DEFAULT_MAX_SIZE, SharedFiles, Source};
 use std::path::{Path, PathBuf};
 
@@ -62,5 +63,5 @@ fn configured_file(files: &SharedFiles, config: &Path) -> Option<String> {
         version.parse::<u32>().ok()
     };
     let newest = files.max_by_key(|node| minor(node).unwrap_or(0))?;
-    newest.text().map(|name| name.trim_ascii().to_owned())
+    text_of(newest).map(|name| name.trim_ascii().to_owned())
 }

@@ -10,7 +10,7 @@ use crate::sdf::frames::poses::report_unknown_frame;
 use crate::sdf::frames::scopes::{FrameId, FrameKind, Scopes};
 use crate::sdf::values::{read_boolean_in, read_limit_in, read_number_in, read_numbers};
 use crate::urdf::elements::numbers::parse_numbers;
-use percuss_mechanism::{Limits, SpringDamper};
+use percuss_mechanism::{Limits, Severity, SpringDamper};
 use percuss_spatial::Vector3;
 
 /// Relation q = multiplier · q_leader + offset.
@@ -46,6 +46,11 @@ pub(crate) fn read_axis(
     let Some(axis) = findings.tree.child(own.element, tag) else {
         return JointAxis { direction: Vector3::z(), limits: None, mimic: None, spring: None };
     };
+    if let Some(position) = read_number_in(axis, "initial_position", findings).filter(|q| *q != 0.0) {
+        findings.add_once(Severity::Warning, "ignored", "initial position", axis, || {
+            format!("<initial_position> {position} is not applied: joints are at 0 as drawn; set the joint to it (--set)")
+        });
+    }
     JointAxis {
         direction: read_direction(scopes, joint, axis, findings),
         limits: findings.tree.child(axis, "limit").and_then(|limit| read_limits(limit, findings)),

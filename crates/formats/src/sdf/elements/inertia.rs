@@ -52,11 +52,11 @@ pub(crate) fn read_inertia(
     }
     let mass = read_number_in(element, "mass", findings);
     let frame = read_pose_in(element, findings);
-    if let Some(pose) =
-        tree.child(element, "pose").filter(|pose| tree.attribute(*pose, "relative_to").is_some())
-    {
+    let has_frame =
+        |pose: &ElementId| ["relative_to", "frame"].iter().any(|name| tree.attribute(*pose, name).is_some());
+    if let Some(pose) = tree.child(element, "pose").filter(has_frame) {
         findings.add_once(Severity::Warning, "ignored", "pose of inertial", pose, || {
-            "the pose of an <inertial> is in the frame of its link; relative_to is ignored, as in libsdformat".to_owned()
+            "the pose of an <inertial> is in the frame of its link; relative_to and frame are ignored, as in libsdformat".to_owned()
         });
     }
     let moments = tree.child(element, "inertia");
@@ -97,6 +97,11 @@ fn inertia_of_collisions(
     findings: &mut Findings<'_>,
 ) -> Option<Inertial> {
     let density = read_number_in(inertial, "density", findings).unwrap_or(DEFAULT_DENSITY);
+    if let Some(unused) = ["pose", "inertia"].iter().find_map(|tag| findings.tree.child(inertial, tag)) {
+        findings.add_once(Severity::Warning, "ignored", "part of an automatic inertia", unused, || {
+            "the inertia follows from the collisions (auto=\"true\"), and this element is not used; remove it, or auto".to_owned()
+        });
+    }
     let mut parts = Vec::new();
     for collision in collisions {
         let Some((unit, centroid)) = collision.shape.unit_inertia() else {

@@ -3,7 +3,7 @@
 use crate::reading::document::grammar::{ElementRule, Treatment, listed_tags, tags};
 use crate::reading::plugins::{changes_joint, keyed_value, unread_joint_message};
 use crate::reading::report::{Place, Report, shortened};
-use crate::reading::xml::Node;
+use crate::reading::xml::{Node, text_of};
 use crate::urdf::elements::dialect::GAZEBO_JOINT;
 use percuss_mechanism::{Severity, near_names};
 
@@ -151,7 +151,7 @@ pub(crate) fn is_fixed_joint(node: Node<'_>) -> bool {
 /// Applies the treatment of the table to an element.
 fn apply_treatment(node: Node<'_>, (tag, rule): (&'static str, &ElementRule), report: &mut Report) {
     let place = Place::Element(node);
-    match (rule.treatment.finding(node.text().unwrap_or_default()), rule.treatment) {
+    match (rule.treatment.finding(text_of(node).unwrap_or_default()), rule.treatment) {
         (Some((Severity::Error, code, reason)), _) => report.error(code, place, || reason.to_owned()),
         (Some((severity, code, reason)), _) => {
             let lead = if severity == Severity::Warning { format!("<{tag}>: ") } else { String::new() };
@@ -180,7 +180,7 @@ fn warn_unread_joint_values(part: Node<'_>, report: &mut Report) {
     // `simulator_couplings.rs` reads the mimics of both.
     let in_plugin = is_named(part, "plugin") || is_named(part, "axis");
     for node in part.descendants().filter(Node::is_element) {
-        let text = node.text().unwrap_or_default();
+        let text = text_of(node).unwrap_or_default();
         let parameter = keyed_value(node.tag_name().name(), |name| node.attribute(name), text);
         let own = (node != part).then_some((node.tag_name().name(), text));
         let attributes = node.attributes().filter(|a| a.name() != "name").map(|a| (a.name(), a.value()));

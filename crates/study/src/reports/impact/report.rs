@@ -239,7 +239,8 @@ pub fn impact(
     let held: Vec<String> = prepared.question.hold.iter().map(|hold| hold.link.clone()).collect();
     diagnostics.extend(base_at_rest_finding(&evaluated, impact).map(DiagnosticRecord::from));
     diagnostics.extend(without_friction_finding(&evaluated, impact).map(DiagnosticRecord::from));
-    let several = simultaneous(&evaluated, impact, &rigid)?;
+    let (several, of_masses) = simultaneous(&evaluated, impact, &rigid)?.unzip();
+    diagnostics.extend(of_masses.into_iter().flatten().map(DiagnosticRecord::from));
     let found = several.iter().filter_map(|several| unit_finding(&evaluated, impact, several));
     diagnostics
         .extend(stop_findings(&evaluated, impact).into_iter().chain(found).map(DiagnosticRecord::from));

@@ -2,6 +2,7 @@
 
 use crate::checks::finding::Finding;
 use crate::checks::finding_kind::FindingKind;
+use crate::checks::findings::collect_response_findings;
 use crate::evaluation::prepared_question::EvaluatedQuestion;
 use crate::question::errors::question_error::StudyError;
 use crate::question::spelled_contact::FurtherContact;
@@ -129,12 +130,21 @@ pub struct SimultaneousRecord {
     pub sticking: Option<StickingRecord>,
 }
 
-/// Impact of several contacts; `None` unless further contacts or sticking points are requested.
+/// Findings about the mass of a further contact: its impulse by the laws is as uncertain.
+const ABOUT_MASS: [FindingKind; 4] = [
+    FindingKind::NearlyImmovable,
+    FindingKind::UncertainMass,
+    FindingKind::UnknownError,
+    FindingKind::MasslessToRounding,
+];
+
+/// Impact of several contacts, and findings about the masses of the further ones; `None` unless further contacts or sticking points are
+/// requested.
 pub(crate) fn simultaneous(
     evaluated: &EvaluatedQuestion,
     question: &ImpactQuestion,
     rigid: &RigidImpact,
-) -> Result<Option<SimultaneousRecord>, StudyError> {
+) -> Result<Option<(SimultaneousRecord, Vec<Finding>)>, StudyError> {
     if question.also.is_empty() && !question.sticking {
         return Ok(None);
     }
@@ -145,7 +155,7 @@ pub(crate) fn simultaneous(
     let mut names = vec![
         prepared.question.contact.at.clone().unwrap_or_else(|| prepared.question.contact.link().to_owned()),
     ];
-    let mut gaps = vec![None];
+    let (mut gaps, mut findings) = (vec![None], Vec::new());
     for contact in &question.also {
         let touching = TouchingContact::new(evaluated, contact)?;
         if question.sticking {
@@ -153,7 +163,17 @@ pub(crate) fn simultaneous(
         }
         let place = pose.locate(&touching.contact);
         located.push(place.map_err(StudyError::about("impact.also"))?);
-        masses.push(pose.respond(&touching.contact)?.effective_mass.kilograms());
+        let response = pose.respond(&touching.contact)?;
+        masses.push(response.effective_mass.kilograms());
+        let found = collect_response_findings(
+            &prepared.system,
+            &touching.contact,
+            &response,
+            prepared.question.names,
+        );
+        let place = format!("at the further contact {}", touching.name);
+        let about_mass = found.into_iter().filter(|finding| ABOUT_MASS.contains(&finding.kind()));
+        findings.extend(about_mass.map(|finding| finding.with_place(&place)));
         names.push(touching.name);
         gaps.push(touching.gap);
     }
@@ -242,7 +262,7 @@ pub(crate) fn simultaneous(
     });
     let axes = |i: usize| [0, 1, 2].map(|c| world(&delassus.axes(i).column(c).into_owned()));
     let w = delassus.matrix();
-    Ok(Some(SimultaneousRecord {
+    let record = SimultaneousRecord {
         contacts: contacts.collect(),
         delassus: w.row_iter().map(|row| row.iter().copied().collect()).collect(),
         delassus_axes_world: (0..k).map(axes).collect(),
@@ -251,7 +271,8 @@ pub(crate) fn simultaneous(
         spread: (k > 1).then(|| (0..k).map(|i| scaled(spread(&laws, i), i)).fold(0.0, f64::max) / closing),
         laws,
         sticking,
-    }))
+    };
+    Ok(Some((record, findings)))
 }
 
 /// True if an error concerns one law only.

@@ -6,7 +6,7 @@
 
 use crate::reading::limits::{MAX_RELATION_PATH, MIN_AXIS_COMPONENT, OBLIQUE_PINS};
 use crate::reading::report::{Place, Report, quoted};
-use crate::reading::xml::Node;
+use crate::reading::xml::{Node, text_of};
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::link::read_name;
 use crate::urdf::elements::numbers::parse_numbers;
@@ -34,7 +34,7 @@ pub(crate) fn fixes_root_to_world(
     report: &mut Report,
 ) -> bool {
     let [parent, child] =
-        ["parent", "child"].map(|tag| child(node, tag).map(element_text).unwrap_or_default());
+        ["parent", "child"].map(|tag| child(node, tag).and_then(text_of).unwrap_or_default());
     let root = match (parent.trim_ascii(), child.trim_ascii()) {
         (WORLD, root) | (root, WORLD) => root,
         _ => return false,
@@ -61,7 +61,7 @@ pub(crate) fn fixes_root_to_world(
 /// True for a joint to one of the links or models that a `<gazebo>` adds.
 pub(crate) fn joins_any(node: Node<'_>, added: &HashSet<&str>) -> bool {
     ["parent", "child"].iter().any(|tag| {
-        let name = child(node, tag).map(element_text).unwrap_or_default();
+        let name = child(node, tag).and_then(text_of).unwrap_or_default();
         added.contains(name.trim_ascii().split("::").next().unwrap_or_default())
     })
 }
@@ -343,10 +343,10 @@ impl<'a> GazeboJointReader<'_, 'a> {
         let Some(pose) = child(node, "pose") else { return *x_rc };
         let base = pose.attribute("relative_to").or_else(|| pose.attribute("frame"));
         let base = self.frame_or_default(pose, base, x_rc, report);
-        let text = element_text(pose);
+        let text = text_of(pose).unwrap_or_default();
         let format = pose.attribute("rotation_format").unwrap_or("euler_rpy");
         let degrees = pose.attribute("degrees").is_some_and(|text| read_boolean(pose, text, report));
-        let relative = sdf_values::parse_pose(&text, format, degrees)
+        let relative = sdf_values::parse_pose(text, format, degrees)
             .map_err(|defect| refuse(pose, report, || defect))
             .ok();
         base * relative.unwrap_or_else(Transform::identity)
@@ -395,7 +395,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
             return Vector3::z();
         };
         let old = child(element, "use_parent_model_frame");
-        let in_model_frame = old.is_some_and(|old| read_boolean(old, &element_text(old), report));
+        let in_model_frame =
+            old.is_some_and(|old| read_boolean(old, text_of(old).unwrap_or_default(), report));
         let given = child(element, "xyz");
         let expressed_in = given.and_then(|xyz| xyz.attribute("expressed_in"));
         if in_model_frame && expressed_in.is_some() {
@@ -405,7 +406,8 @@ impl<'a> GazeboJointReader<'_, 'a> {
         }
         let frame = if in_model_frame { Some(MODEL) } else { expressed_in };
         let x_rf = self.frame_or_default(given.unwrap_or(element), frame, x_rj, report);
-        let axis = given.and_then(|xyz| parse_element_numbers::<3>(xyz, &element_text(xyz), report));
+        let axis =
+            given.and_then(|xyz| parse_element_numbers::<3>(xyz, text_of(xyz).unwrap_or_default(), report));
         let axis: Vector3<f64> = axis.map_or_else(Vector3::z, Into::into);
         if kind.is_some() && axis.amax() < MIN_AXIS_COMPONENT {
             let problem = Problem::ZeroAxis;
@@ -440,7 +442,7 @@ fn read_joint_type(node: Node<'_>, report: &mut Report) -> Option<ClosureKind> {
 /// Link name in the text of a child element; empty if absent.
 fn read_link_name(node: Node<'_>, tag: &'static str, report: &mut Report) -> String {
     let element = child(node, tag);
-    let name = element.map(element_text).unwrap_or_default();
+    let name = element.and_then(text_of).unwrap_or_default();
     let name = name.trim_ascii();
     if name.is_empty() {
         refuse(element.unwrap_or(node), report, || {
@@ -457,12 +459,7 @@ fn is_hinge(joint: &JointText<'_>) -> bool {
 
 /// Number in the text of a child element; `None` if the element is absent or holds no number.
 fn child_number(node: Node<'_>, tag: &'static str) -> Option<f64> {
-    parse_numbers::<1>(&element_text(child(node, tag)?)).ok().map(|[value]| value)
-}
-
-/// Text of an element, without comments.
-fn element_text(node: Node<'_>) -> String {
-    node.children().filter(Node::is_text).filter_map(|text| text.text()).collect()
+    parse_numbers::<1>(text_of(child(node, tag)?)?).ok().map(|[value]| value)
 }
 
 /// Boolean value in SDF notation; false, with an error, for another text.

@@ -8,7 +8,7 @@ use crate::reading::plugins::{
     changes_joint, joins_links, keyed_value, named_parts, plain_word, unread_joint_message,
 };
 use crate::reading::report::{Place, Report, quoted, shortened};
-use crate::reading::xml::Node;
+use crate::reading::xml::{Node, text_of};
 use crate::urdf::elements::joints::joint::MimicText;
 use crate::urdf::elements::numbers::parse_numbers;
 use crate::urdf::elements::survey::{child, children, is_named};
@@ -80,11 +80,13 @@ impl<'a> CouplingReader<'_, 'a> {
         let values: Vec<(&str, &str)> = below
             .flat_map(|node| {
                 let tag = node.tag_name().name();
-                let texts = node
-                    .children()
-                    .filter_map(move |child| Some((tag, child.text().filter(|_| child.is_text())?)));
-                let keyed = keyed_value(tag, |name| node.attribute(name), node.text().unwrap_or_default());
-                node.attributes().map(|a| (a.name(), a.value())).chain(texts).chain(keyed).chain([(tag, "")])
+                let text = text_of(node);
+                let keyed = keyed_value(tag, |name| node.attribute(name), text.unwrap_or_default());
+                node.attributes()
+                    .map(|a| (a.name(), a.value()))
+                    .chain(text.map(|text| (tag, text)))
+                    .chain(keyed)
+                    .chain([(tag, "")])
             })
             .collect();
         let value = |wanted: &[&str]| {
@@ -131,7 +133,7 @@ impl<'a> CouplingReader<'_, 'a> {
         let name = joint.attribute("name");
         let parameter = |wanted: &str| {
             let mut found = children(joint, "param").filter(|p| p.attribute("name") == Some(wanted));
-            found.next().map(|p| p.text().unwrap_or_default().trim_ascii())
+            found.next().map(|p| text_of(p).unwrap_or_default().trim_ascii())
         };
         let leader = parameter("mimic").or_else(|| parameter("mimic_joint"));
         Self::warn_unread_parameters(joint, leader.is_some(), report);
@@ -166,7 +168,7 @@ impl<'a> CouplingReader<'_, 'a> {
         };
         for param in children(joint, "param") {
             let (name, text) =
-                (param.attribute("name").unwrap_or_default(), param.text().unwrap_or_default());
+                (param.attribute("name").unwrap_or_default(), text_of(param).unwrap_or_default());
             let is_read = is_mimic && ["mimic", "mimic_joint", "multiplier", "offset"].contains(&name);
             if !is_read && (changes_joint(name, text, false) || couples(name)) {
                 report.warning("ignored", Place::Element(param), || unread_joint_message(name, "joint"));
@@ -267,13 +269,13 @@ impl<'a> CouplingReader<'_, 'a> {
 
 /// Joint that a `<mimic>` follows: an attribute or an element.
 fn leader_of_mimic<'a>(mimic: Node<'a>) -> Option<&'a str> {
-    mimic.attribute("joint").or_else(|| child(mimic, "joint")?.text())
+    mimic.attribute("joint").or_else(|| child(mimic, "joint").and_then(text_of))
 }
 
 /// Multiplier and offset of an SDF `<mimic>`: elements or attributes. SDF: q = multiplier·(leader − reference) + offset.
 fn numbers_of_mimic(mimic: Node<'_>) -> Numbers {
     let value = |name: &'static str, default| {
-        mimic.attribute(name).or_else(|| child(mimic, name)?.text()).unwrap_or(default)
+        mimic.attribute(name).or_else(|| child(mimic, name).and_then(text_of)).unwrap_or(default)
     };
     let [multiplier, offset] = both(value("multiplier", "1"), value("offset", "0"))?;
     let [reference] = parse_numbers(value("reference", "0")).ok()?;

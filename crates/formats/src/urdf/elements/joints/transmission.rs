@@ -3,7 +3,7 @@
 use crate::reading::findings::did_you_mean;
 use crate::reading::limits::ARMATURE_TOLERANCE;
 use crate::reading::report::{Place, Report, quoted};
-use crate::reading::xml::Node;
+use crate::reading::xml::{Node, text_of};
 use crate::urdf::elements::joints::armature;
 use crate::urdf::elements::joints::joint::JointText;
 use crate::urdf::elements::numbers::parse_numbers;
@@ -41,11 +41,10 @@ pub(crate) fn add_transmission_armatures<'a>(
             rotors.read_rotor(actuator, &[actuator], joint, report);
         }
     }
-    for (gazebo, element) in
-        children(robot, "gazebo").filter_map(|gazebo| child(gazebo, "armature").map(|n| (gazebo, n)))
-    {
+    let armatures = |gazebo| children(gazebo, "armature").map(move |element| (gazebo, element));
+    for (gazebo, element) in children(robot, "gazebo").flat_map(armatures) {
         let joint = gazebo.attribute("reference").and_then(|name| index.get(name.trim_ascii()));
-        let text = element.attribute("value").or_else(|| element.text()).unwrap_or_default();
+        let text = element.attribute("value").or_else(|| text_of(element)).unwrap_or_default();
         match (joint, parse_numbers::<1>(text)) {
             (Some(joint), Ok([value])) if value >= 0.0 => rotors.set(*joint, value, element, report),
             _ => report.warning("rotor-inertia", Place::Element(element), || {
@@ -88,7 +87,7 @@ impl<'a> Rotors<'_, 'a> {
             }
         }
         let kind =
-            ["type", "plugin"].map(|tag| child(transmission, tag).and_then(|n| n.text()).unwrap_or_default());
+            ["type", "plugin"].map(|tag| child(transmission, tag).and_then(text_of).unwrap_or_default());
         let kind = format!("{} {}", kind.join(" "), transmission.attribute("type").unwrap_or_default());
         let holders: Vec<_> = std::iter::once(transmission).chain(driven.clone()).chain(actuators).collect();
         let has_drake = holders.iter().any(|holder| has_drake_rotor(*holder));
@@ -154,13 +153,21 @@ impl<'a> Rotors<'_, 'a> {
                     .filter(|n| n.tag_name().name() == "actuator")
                     .find_map(|n| n.attribute("name"));
                 let actuator = actuator.unwrap_or_default();
-                if self.actuators.insert(joint, actuator).is_some_and(|first| first != actuator) {
+                let is_further = |n: &&Node<'a>| {
+                    n.tag_name().name() == "actuator"
+                        && n.attribute("name").unwrap_or_default() != actuator
+                        && INERTIAS.iter().any(|tag| !values(**n, tag).is_empty())
+                };
+                let is_second = self.actuators.insert(joint, actuator).is_some_and(|first| first != actuator);
+                if is_second || holders.iter().any(|holder| is_further(&holder)) {
                     report.warning("rotor-inertia", at, || {
                         format!(
                             "a second motor of joint {}: only the inertia of the first is read; {REMEDY}",
                             quoted(name)
                         )
                     });
+                }
+                if is_second {
                     return;
                 }
                 self.set(joint, inertia * ratio * ratio, place, report);
@@ -210,7 +217,7 @@ fn has_drake_rotor(actuator: Node<'_>) -> bool {
 /// Texts of the child elements and of the attribute with a name: the text of an element, or its attribute `value`.
 fn values<'a>(holder: Node<'a>, tag: &'static str) -> Vec<&'a str> {
     let elements =
-        children(holder, tag).map(|n| n.attribute("value").or_else(|| n.text()).unwrap_or_default());
+        children(holder, tag).map(|n| n.attribute("value").or_else(|| text_of(n)).unwrap_or_default());
     elements.chain(holder.attribute(tag)).map(str::trim_ascii).collect()
 }
 
