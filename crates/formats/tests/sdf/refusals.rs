@@ -86,6 +86,16 @@ fn doubtful_files_are_read_with_a_warning() {
         ("<nonsense/>".to_owned(), "unknown-element"),
         ("<drake:linear_bushing_rpy/>".to_owned(), "ignored"),
         (
+            joint(
+                "k",
+                "universal",
+                "a",
+                "b",
+                "<axis><xyz>1 0 0</xyz></axis><axis2><xyz>0.5 1 0</xyz></axis2>",
+            ) + &link("b", ""),
+            "oblique-pins",
+        ),
+        (
             joint("k", "revolute", "a", "b", "<axis>0 1 0<limit><lower>-1</lower></limit></axis>")
                 + &link("b", ""),
             "stray-text",

@@ -2,6 +2,7 @@
 
 use crate::reading::document::element_tree::ElementId;
 use crate::reading::findings::{Findings, similar_name};
+use crate::reading::limits::OBLIQUE_PINS;
 use crate::reading::report::quoted;
 use crate::sdf::elements::axis::{JointAxis, read_axis};
 use crate::sdf::frames::scopes::{Attached, FrameId, ScopeId, Scopes};
@@ -105,6 +106,13 @@ pub(crate) fn read_joint(scopes: &Scopes, index: usize, findings: &mut Findings<
                 format!("the {} joint has no <{tag}>: 0 0 1 is taken, as SDFormat says", kind.name())
             });
         }
+    }
+    if let (JointType::Universal, [first, second]) = (kind, &axes[..])
+        && first.direction.normalize().dot(&second.direction.normalize()).abs() > OBLIQUE_PINS
+    {
+        findings.warning("oblique-pins", element, || {
+            "the axes of the universal joint are not at right angles, and libsdformat refuses the file; here they are two hinges".to_owned()
+        });
     }
     let unused = [
         ("axis2", kind.axes() == 2),
