@@ -292,6 +292,7 @@ fn workspaces_agree_with_single_impacts() {
         let error =
             response.error.and_then(|error| error.known()).map_or(0.0, |error| error / mass).max(BALANCED);
         assert!((workspace.impulse / single.impulse - 1.0).abs() < error, "{}", case.name);
+        assert!((workspace.energy_loss / single.energy_loss - 1.0).abs() < error, "{}", case.name);
         let fast = single.after.joints.iter().flatten().fold(1.0, |most: f64, v| most.max(v.abs()));
         for (a, b) in single.after.joints.iter().flatten().zip(workspace.after.joints.iter().flatten()) {
             assert!((a - b).abs() < 1e-9 * fast, "{}: {a} {b}", case.name);

@@ -267,3 +267,22 @@ fn headers_in_comments_and_titles() {
         assert!(is_read(&plain.replace("HEADER", comment), &car), "{comment}");
     }
 }
+
+/// The columns that are used are stated, unless the header is the plain name, x, y, z.
+#[test]
+fn other_headers_than_the_plain_one_are_stated() {
+    let car = car();
+    for (header, order, is_stated) in [
+        (&["name", "x", "y", "z"][..], [0, 1, 2], false),
+        (&["Point", "X", "Y", "Z"], [0, 1, 2], false),
+        (&["name", "y", "x", "z"], [1, 0, 2], true),
+        (&["name", "x", "y", "z", "remark"], [0, 1, 2], true),
+    ] {
+        let row = |name: &str, at: [f64; 3]| {
+            [vec![name.to_owned()], order.map(|k: usize| at[k].to_string()).to_vec()].concat()
+        };
+        let imported =
+            read(&table(&car, "", ",", &texts(header), row)).unwrap_or_else(|error| panic!("{error}"));
+        assert_eq!(imported.diagnostics.iter().any(|d| d.code == "columns"), is_stated, "{header:?}");
+    }
+}

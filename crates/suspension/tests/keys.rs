@@ -76,6 +76,11 @@ fn unknown_keys_list_the_known_ones() {
             "[bumpstop]\ngap = 20\n[bump_stop]\n",
             ["did you mean [bump_stop]?", "bumpstop.gap"],
         ),
+        (
+            "[bump_stop]\n",
+            "[contact.seat]\ngapp = 3\npoint = [0.0, 600.0, 200.0]\ndirection = [0.0, 0.0, 1.0]\non = \"lower_arm\"\n[bump_stop]\n",
+            ["did you mean \"contact.seat.gap\"?", "the keys of [contact.seat] are gap"],
+        ),
         ("unit = \"mm\" ", "mass_unit = \"g\"\nunit = \"mm\" ", ["the keys of the head are", "inertia_unit"]),
     ] {
         assert!(text.contains(from), "{from}");

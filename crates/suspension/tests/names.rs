@@ -1,6 +1,6 @@
 //! Names of points in other programs and in drawings: each table is read as the sheet it was written from, or refused.
 
-use super::sheets::{Car, sheet};
+use super::sheets::{Car, Spelling, at_seat, sheet};
 use nalgebra::Vector3;
 use percuss_formats::{LoadError, Source};
 use percuss_suspension::{
@@ -486,4 +486,26 @@ fn estimates_follow_the_size_of_the_parts() {
             assert!((ratio - 8.0).abs() < 1e-9, "{ratio}");
         }
     }
+}
+
+/// The pivot of a rocker is mirrored with the other points of a right side: the masses are equal.
+#[test]
+fn a_rocker_on_one_pivot_is_the_same_on_both_sides() {
+    let mut car = Car::example("pushrod-rocker");
+    car.without(&[]);
+    let pivot = 0.5 * (car.point("rocker_front") + car.point("rocker_back"));
+    car.points.retain(|(key, _)| !["rocker_front", "rocker_back"].contains(&key.as_str()));
+    car.points.push(("rocker_pivot".into(), (1e3 * pivot).into()));
+    let masses = [false, true].map(|right| {
+        let spelling = Spelling { unit: LengthUnit::Millimetre, axes: VehicleAxes::ISO, right, table: None };
+        let imported =
+            import(&Source::from_text("my.toml", car.spelled(spelling)), &ImportOptions::default());
+        at_seat(
+            &imported.unwrap_or_else(|error| panic!("{error}")).mechanism,
+            ["damper_seat", "damper_chassis_seat"],
+            "",
+        )
+    });
+    // Roundings of coordinates, multiplied by a condition number of some hundred.
+    assert!((masses[0] / masses[1] - 1.0).abs() < 1e-12, "{masses:?}");
 }

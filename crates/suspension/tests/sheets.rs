@@ -43,11 +43,11 @@ pub struct Car {
 
 /// Notation of a car.
 #[derive(Clone, Copy, Debug)]
-struct Spelling {
-    unit: LengthUnit,
-    axes: VehicleAxes,
-    right: bool,
-    table: Option<(char, bool)>,
+pub struct Spelling {
+    pub unit: LengthUnit,
+    pub axes: VehicleAxes,
+    pub right: bool,
+    pub table: Option<(char, bool)>,
 }
 
 fn list(text: &str) -> Vec<f64> {
@@ -144,7 +144,7 @@ impl Car {
         keys
     }
 
-    fn spelled(&self, spelling: Spelling) -> String {
+    pub fn spelled(&self, spelling: Spelling) -> String {
         let (unit, axes) = (spelling.unit.name(), spelling.axes.name());
         let side = if spelling.right { "right" } else { "left" };
         let keys = self.keys(spelling);
