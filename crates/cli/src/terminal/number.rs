@@ -103,7 +103,10 @@ pub fn within_uncertainty(x: f64, uncertainty: f64) -> String {
 
 /// Formats at most the significant digits that an uncertainty supports, to its second one; a bound for a number below its uncertainty.
 pub fn supported(x: f64, uncertainty: f64) -> String {
-    if x != 0.0 && x.abs() <= uncertainty {
+    if x == 0.0 {
+        return number(x);
+    }
+    if x.abs() <= uncertainty {
         return format!("less than {}", upper_bound(uncertainty));
     }
     let figures = x.abs().log10().floor() - uncertainty.log10().floor() + 2.0;
@@ -213,7 +216,7 @@ mod tests {
         }
         let cases = [
             (0.44721359, 2e-7, "0.4472"),
-            (0.44721359, 3e-3, "0.447"),
+            (0.44721359, 3e-2, "0.447"),
             (-5.2e-10, 2e-7, "less than 2e-7"),
             (-2.34e-7, 2e-7, "−2.3e-7"),
             (0.75, 0.0, "0.75"),

@@ -159,3 +159,32 @@ fn lowest_on_patch(g: &DMatrix<f64>) -> Vec<f64> {
     }
     found.into_iter().min_by(|a, b| value(a).total_cmp(&value(b))).unwrap_or_default()
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// The best direction is a unit vector within the cone, and no direction of a grid over the cone is better.
+    #[test]
+    fn the_best_direction_in_a_cone_is_as_good_as_those_of_a_grid() {
+        for k in 0..24 {
+            let at = |i: usize| f64::from(7 * k + 3 * i as i32 + 1).sin();
+            let b = Matrix3::new(at(0), at(1), at(2), at(1), at(3), at(4), at(2), at(4), at(5));
+            let (given, angle) = (Vector3::new(at(6), at(7), at(8)).normalize(), 0.05 + 0.04 * f64::from(k));
+            let (e1, e2) = plane_basis(&given);
+            for sign in [1.0, -1.0] {
+                let value = |n: &Vector3<f64>| sign * n.dot(&(b * n));
+                let best = best_in_cone(&b, &given, angle, sign);
+                assert!(
+                    (best.norm() - 1.0).abs() < 1e-12 && best.dot(&given) > angle.cos() - 1e-12,
+                    "{best}"
+                );
+                for (i, j) in (0..=8).flat_map(|i| (0..64).map(move |j| (i, j))) {
+                    let (tilt, psi) = (angle * f64::from(i) / 8.0, TAU * f64::from(j) / 64.0);
+                    let n = given * tilt.cos() + (e1 * psi.cos() + e2 * psi.sin()) * tilt.sin();
+                    assert!(value(&best) < value(&n) + 1e-12, "{k} {sign}: {best} {n}");
+                }
+            }
+        }
+    }
+}
