@@ -466,3 +466,47 @@ fn spherical_loops_are_proved() {
         assert_eq!((found.implied == 3, found.omitted.is_empty()), (is_proved, is_proved), "{number}");
     }
 }
+
+/// Axes that are a coordinate axis up to 1e-12, of the length 1 in double precision: two hinges about such an axis through the origin, and a
+/// ball beside it, are no spherical loop; the normals of a prismatic closure are no coordinate axes. With the axis itself, both are proved.
+#[test]
+fn axes_that_are_nearly_coordinate_axes_are_not_proved() {
+    let link = |name: &str, axis: &str| {
+        format!(
+            "<link name='{name}'><inertial><origin xyz='0.1 0.2 0.3'/><mass value='2'/>\
+             <inertia ixx='0.1' iyy='0.12' izz='0.15' ixy='0' ixz='0' iyz='0'/></inertial></link>\
+             <joint name='to_{name}' type='continuous'><parent link='ground'/><child link='{name}'/><axis xyz='{axis}'/></joint>"
+        )
+    };
+    let implied = |axis: &str, closure: &str| {
+        let text = format!(
+            "<robot name='nearly'><link name='ground'/>{}{}{closure}</robot>",
+            link("one", axis),
+            link("two", axis)
+        );
+        let (system, pose) = of_text(&text);
+        let one = system.mechanism().find_link("one").unwrap();
+        pose.certify(&Contact::new(one, [0.3, 0.2, 0.1], [1.0, 0.5, 0.0])).unwrap().implied
+    };
+    let ball = |at: &str| {
+        format!(
+            "<loop name='ball' type='spherical'><predecessor link='one'><origin xyz='{at}'/></predecessor>\
+             <successor link='two'><origin xyz='{at}'/></successor></loop>"
+        )
+    };
+    assert_eq!(implied("0 0 1", &ball("0 0 0.2")), 3);
+    for axis in ["0 1e-12 1", "1e-12 0 1", "-1e-9 1e-9 1"] {
+        assert_eq!(implied(axis, &ball("0 0 0.2")), 0, "{axis}");
+        assert_eq!(implied(axis, &ball("0 0.2 0")), 0, "{axis}");
+    }
+    // Heights along x of a loop about x: the row of the normal (0, −1e-9, 1) also contains y.
+    let slide = |axis: &str| {
+        format!(
+            "<loop name='slide' type='prismatic'><predecessor link='one'><origin xyz='0 0.2 0'/></predecessor>\
+             <successor link='two'><origin xyz='0 0.2 0'/></successor><axis xyz='{axis}'/></loop>"
+        )
+    };
+    let exact = implied("0 0 1", &slide("0 1 0"));
+    assert!(exact > 0);
+    assert!(implied("0 0 1", &slide("0 1 1e-9")) < exact);
+}

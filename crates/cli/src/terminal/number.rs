@@ -118,6 +118,9 @@ pub fn supported(x: f64, uncertainty: f64) -> String {
 
 /// Formats one digit, rounded up: for upper bounds. Two digits for a number slightly above a power of ten: 1.1e-3, not 2e-3.
 pub fn upper_bound(x: f64) -> String {
+    if x == 0.0 {
+        return "0".to_owned();
+    }
     let nearest = format!("{x:.0e}");
     let above = || {
         let (digit, exponent) = nearest.split_once('e')?;
@@ -192,7 +195,7 @@ mod tests {
             (1.4e-13, "2e-13"),
             (1.6e-13, "2e-13"),
             (9.4e-14, "1e-13"),
-            (0.0, "0e0"),
+            (0.0, "0"),
             (1.0000000000000937e-3, "1.1e-3"),
         ];
         for (x, shown) in cases {

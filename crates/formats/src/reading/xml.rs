@@ -8,8 +8,8 @@ use roxmltree::{Document, ParsingOptions};
 /// Node of a document, with one lifetime for the document and its text.
 pub(crate) type Node<'a> = roxmltree::Node<'a, 'a>;
 
-/// Text of an element without the comments beside it. Two texts with a comment between them are no value: both, with the comment. Of
-/// texts between elements the first one.
+/// Text of an element without the comments beside it. If a comment divides the text, the source from the first to the last part, which no
+/// parser of numbers accepts; if elements divide it, the first part.
 pub(crate) fn text_of<'a>(node: roxmltree::Node<'a, '_>) -> Option<&'a str> {
     let is_word = |child: &roxmltree::Node<'_, '_>| {
         child.is_text() && child.text().is_some_and(|text| !text.trim_ascii().is_empty())

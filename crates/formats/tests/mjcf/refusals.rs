@@ -131,7 +131,7 @@ fn values_that_mujoco_refuses() {
         ),
         (
             "<body><joint/><inertial pos=\"0 0 0\" mass=\"1\" diaginertia=\"1 1 1\" fullinertia=\"1 1 1 0 0 0\"/></body>",
-            "two-orientations",
+            "two-inertias",
             &["fullinertia and diaginertia"],
         ),
         ("<replicate count=\"2\"><joint/></replicate>", "misplaced", &["<replicate>"]),

@@ -2130,7 +2130,8 @@ class ProvedSpeedRecord(Record):
     is_sharp: bool
     """True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary."""
     surface: ProvedPatchRecord | None
-    """Part of the surface with the largest bound; None for the contact of the question."""
+    """Part of the surface with the largest bound, of the shapes that are read: boxes, spheres, cylinders, capsules and meshes;
+    None for the contact of the question."""
     segments: int | None
     """Number of segments between rows of positions; None for ranges."""
     slowest_segment: int | None

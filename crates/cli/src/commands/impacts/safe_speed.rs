@@ -109,8 +109,8 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
     if let Some(proved) = &report.proved {
         let ranges = match (&proved.speed, &proved.certificate.reason) {
             (Some(record), _) => {
-                let sharp =
-                    if proved.is_sharp { "" } else { "; not sharp: smaller ranges give a higher speed" };
+                let is_sharp = proved.is_sharp || record.robot_mass.is_none();
+                let sharp = if is_sharp { "" } else { "; not sharp: smaller ranges give a higher speed" };
                 let description = match proved.segments.zip(proved.slowest_segment) {
                     Some((count, slowest)) => {
                         format!(
@@ -122,7 +122,9 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
                 };
                 let description = match record.robot_mass {
                     Some(_) => description,
-                    None => "no upper bound is proved: the speed for an immovable robot".to_owned(),
+                    None => format!(
+                        "no {description}: the speed for an immovable robot; smaller ranges help unless the normal passes through all axes"
+                    ),
                 };
                 format!("{}{sharp}", speed(record, &description))
             }
@@ -132,7 +134,7 @@ fn facts(report: &SafeSpeedReport) -> Vec<(&'static str, String)> {
         if let Some(part) = &proved.surface {
             let what = if part.is_curved { "axis" } else { "normal" };
             let text = format!(
-                "{} parts of the shapes of \"{}\"; the largest bound is that of the part at {} with the {what} {}",
+                "{} parts of the shapes of \"{}\" that are read; the largest bound is that of the part at {} with the {what} {}",
                 part.patches,
                 part.link,
                 triple(&part.point),

@@ -216,7 +216,6 @@ fn closure_forms(
     let axes = [0, 1, 2].map(|k| Vector3::ith(k, 1.0));
     let [n1, n2] = compiled.normals.each_ref().map(unit);
     let (a, b) = (unit(&compiled.axis), unit(&compiled.successor_axis));
-    // Rows that the joints of the tree imply at all positions are left out.
     let circuit = Circuit::new(mechanism, closure, floats);
     let keeps = |directions| circuit.as_ref()?.keeps_direction(directions);
     let along_axis = keeps([&compiled.axis, &compiled.successor_axis]);
@@ -224,10 +223,12 @@ fn closure_forms(
     let is_planar = |k: usize| of_frame[k] == Some(true);
     let axes = axes.map(|e: Vector3<f64>| e.map(Interval::point));
     let across = [Form::Along(n1), Form::Along(n2)];
-    let point = match () {
-        () if circuit.as_ref().is_some_and(Circuit::keeps_origin) => Vec::new(),
-        () if along_axis == Some(true) => across.to_vec(),
-        () => (0..3).filter(|k| !is_planar(*k)).map(|k| Form::Along(axes[k])).collect(),
+    let point = if circuit.as_ref().is_some_and(Circuit::keeps_origin) {
+        Vec::new()
+    } else if along_axis == Some(true) {
+        across.to_vec()
+    } else {
+        (0..3).filter(|k| !is_planar(*k)).map(|k| Form::Along(axes[k])).collect()
     };
     let turns = [(1, 2), (2, 0), (0, 1)].into_iter().filter(|(i, k)| of_frame[*i].or(of_frame[*k]).is_none());
     let turns: Vec<Form> = turns.map(|(i, k)| Form::Cosine(axes[i], axes[k])).collect();
@@ -239,7 +240,8 @@ fn closure_forms(
     match compiled.kind {
         ClosureKind::Fixed => ([point, turns].concat(), fixed),
         ClosureKind::Prismatic => {
-            let is_zero = |n: &Vector3<f64>| (0..3).any(|k| is_planar(k) && n[k].abs() == 1.0);
+            let is_zero =
+                |n: &Vector3<f64>| (0..3).any(|k| is_planar(k) && (0..3).all(|i| i == k || n[i] == 0.0));
             let normals = compiled.normals.iter().filter(|n| !is_zero(n));
             (normals.map(|n| Form::Along(unit(n))).chain(turns).collect(), fixed)
         }

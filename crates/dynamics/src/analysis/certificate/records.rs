@@ -89,7 +89,7 @@ pub struct RangeProof {
     pub edges: [[f64; 3]; 2],
     /// True if the edges turn by all angles about a normal of the contact link: the points of a disc.
     pub is_disc: bool,
-    /// Largest m̄ that is proved elsewhere, kg; 0 for none. Bounds below it, within the tolerance, are sufficient for the largest m̄.
+    /// Largest m̄ that is proved elsewhere, kg; 0 for none. Bounds below it, within the tolerance, are sufficient for the largest m̄. For trees.
     pub known: f64,
 }
 

@@ -6,7 +6,8 @@
 //! | and slides normal to a, with offsets along a of sum zero | distance along a | this distance is zero |
 //! | hinges with axes through one point | the point | the point coincides with itself |
 //!
-//! Equal numbers of a model denote equal quantities: products are compared by their factors, and no rounding occurs.
+//! Assumption: equal `f64` numbers of the loaded model are equal quantities. Products are compared by their factors, so the comparison adds
+//! no rounding.
 //!
 //! Source: Hervé 1999 (Mechanism and Machine Theory 34).
 
@@ -76,7 +77,7 @@ impl<'a> Circuit<'a> {
                     JointKind::Fixed => true,
                     JointKind::Revolute | JointKind::Continuous => {
                         let axis = joint.axis();
-                        let is_coordinate = axis.amax() == 1.0;
+                        let is_coordinate = axis.iter().filter(|a| **a != 0.0).count() == 1;
                         p == Vector3::zeros()
                             || is_coordinate && p.iter().zip(axis).all(|(p, a)| *p == 0.0 || *a != 0.0)
                     }

@@ -24,7 +24,8 @@ pub struct Mode {
 }
 
 impl ElasticSystem {
-    /// Natural modes in ascending order of the frequency. Motions without mass follow the others statically and have no mode.
+    /// Natural modes in ascending order of the frequency. Motions without mass follow the others statically and have no mode. No modes if
+    /// the ideal rows leave no motion.
     ///
     /// K φ = ω² M φ. The frequencies are Rayleigh quotients, in which the elastic energy is the sum over the rows: small frequencies beside large
     /// ones keep their digits.

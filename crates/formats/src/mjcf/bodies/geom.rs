@@ -91,7 +91,10 @@ pub(crate) fn read_geom(
         let value = attributes.number(name, findings);
         if let Some(value) = value.filter(|value| *value < 0.0) {
             findings.attribute_error("negative-mass", attributes.element, name, || {
-                format!("{name} is {value}; it must be 0 or more")
+                format!(
+                    "{name} is {value} {}; expected 0 or more",
+                    if name == "mass" { "kg" } else { "kg/m³" }
+                )
             });
         }
         value

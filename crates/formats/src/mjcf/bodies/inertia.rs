@@ -42,7 +42,7 @@ pub(crate) fn read_inertial(
         });
     }
     if full.is_some() && principal.is_some() {
-        findings.attribute_error("two-orientations", element, "diaginertia", || {
+        findings.attribute_error("two-inertias", element, "diaginertia", || {
             "fullinertia and diaginertia are both given; one of them is expected".to_owned()
         });
     }

@@ -230,6 +230,9 @@ impl SafeSpeedQuestion {
                 "the shapes give points and normals; expected neither `normals` nor `edge`",
             );
         }
+        if self.surface && self.has_directions() {
+            return refuse("safe_speed.surface", "the shapes give the normals; expected no directions");
+        }
         if !self.tracking.is_empty() && self.rows().is_none() {
             return refuse("safe_speed.tracking", "it is the error of the rows of `input`; give that file");
         }

@@ -17,11 +17,11 @@ use serde::Serialize;
 
 /// Positions at which the standard's mass is compared with m̄.
 const SAMPLES: usize = 500;
-/// Largest number of rows of a proof, which takes minutes.
-const MOST_SEGMENTS: usize = 100_000;
-/// Boxes of all segments of a proof along rows: about a minute.
-const BOXES_OF_ROWS: u32 = 1_000_000;
-/// Fewest boxes of a segment.
+/// Largest number of segments times parts of a proof, which takes minutes.
+const MOST_PROOFS: usize = 100_000;
+/// Boxes of all segments and parts of a proof: about a minute.
+const ALL_BOXES: u32 = 1_000_000;
+/// Fewest boxes of a part in a segment.
 const LEAST_BOXES: u32 = 64;
 
 /// Speed that holds for all positions in ranges of joints, for rigid links, ideal joints, and the numbers of the model as read.
@@ -31,7 +31,8 @@ pub struct ProvedSpeedRecord {
     pub speed: Option<SpeedRecord>,
     /// True if the bounds of the largest m̄ agree within the tolerance; otherwise the speed is lower than necessary.
     pub is_sharp: bool,
-    /// Part of the surface with the largest bound; null for the contact of the question.
+    /// Part of the surface with the largest bound, of the shapes that are read: boxes, spheres, cylinders, capsules and meshes; null for the
+    /// contact of the question.
     pub surface: Option<ProvedPatchRecord>,
     /// Number of segments between rows of positions; null for ranges.
     pub segments: Option<usize>,
@@ -69,22 +70,41 @@ pub(super) fn proved_speed(
     speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
 ) -> Result<ProvedSpeedRecord, StudyError> {
     let (prepared, pose) = (&evaluated.prepared, &evaluated.pose);
-    let question = proof_question(asked);
-    let ranges = wide_ranges(prepared, pose, &question)?;
-    let largest = prove_largest(evaluated, &ranges, &question, &surface_patches(evaluated, asked)?)?;
+    let patches = surface_patches(evaluated, asked)?;
+    let question = proof_question(asked, 1, patches.len())?;
+    let of_field = |field| if field == "extremes.range" { "safe_speed.range" } else { field };
+    let ranges = wide_ranges(prepared, pose, &question).map_err(|error| error.with_field(of_field))?;
+    let largest = prove_largest(evaluated, &ranges, &question, &patches)?;
     let share = share_above(evaluated, &ranges, by_standard);
     proved_record(largest, None, share, speed)
 }
 
-/// Question of the proof of a speed.
-fn proof_question(asked: &SafeSpeedQuestion) -> ExtremesQuestion {
-    ExtremesQuestion {
+/// Question of the proof of a speed over segments and parts of a surface.
+///
+/// # Errors
+/// [`StudyError`]: too many proofs.
+fn proof_question(
+    asked: &SafeSpeedQuestion,
+    segments: usize,
+    patches: usize,
+) -> Result<ExtremesQuestion, StudyError> {
+    let proofs = segments.saturating_mul(patches.max(1));
+    if proofs > MOST_PROOFS {
+        let parts =
+            if patches > 0 { format!(" of {patches} parts of a surface each") } else { String::new() };
+        let why = format!(
+            "expected at most {MOST_PROOFS} proofs; {segments} segments{parts} are given: give fewer rows, or a simpler shape"
+        );
+        return Err(StudyError::input("safe_speed.certify", why));
+    }
+    Ok(ExtremesQuestion {
         range: asked.range.clone(),
         certify: asked.certify,
         normals: asked.normals,
         edge: asked.edge.clone(),
+        boxes: Some((ALL_BOXES / proofs as u32).clamp(LEAST_BOXES, DEFAULT_BOXES)),
         ..ExtremesQuestion::default()
-    }
+    })
 }
 
 /// Largest m̄ over ranges, and over the parts of a surface.
@@ -98,8 +118,15 @@ struct Largest {
     surface: Option<ProvedPatchRecord>,
 }
 
+impl Largest {
+    /// True if the bounds agree within the tolerance and the roundings of both.
+    fn is_sharp(&self) -> bool {
+        self.upper <= self.lower * (1.0 + 1.01 * self.certificate.tolerance)
+    }
+}
+
 /// Proves the largest m̄ over ranges: of the contact of the question, or of all parts of a surface. A part whose m̄ is proved to be below the
-/// value of another part is not divided further.
+/// value of another part is not divided further. The upper bound is the largest of all parts.
 fn prove_largest(
     evaluated: &EvaluatedQuestion,
     ranges: &[JointRange],
@@ -118,11 +145,12 @@ fn prove_largest(
         let (lower, upper) = ends(&certificate);
         return Ok(Largest { upper, lower, certificate, surface: None });
     }
-    let (mut known, mut worst) = (0.0_f64, (f64::NEG_INFINITY, &patches[0]));
+    let (mut known, mut worst, mut others) = (0.0_f64, (f64::NEG_INFINITY, &patches[0]), 0.0_f64);
     for patch in patches {
         let found = prove(&patch.contact(contact), patch.proof(RangeProof { known, ..proof }))?;
         let (lower, upper) = ends(&found);
         known = known.max(lower);
+        others = others.max(upper.min(worst.0));
         if upper > worst.0 {
             worst = (upper, patch);
         }
@@ -131,8 +159,10 @@ fn prove_largest(
             break;
         }
     }
-    let (upper, patch) = worst;
+    // The certificate of the part does not depend on other parts.
+    let (bound, patch) = worst;
     let certificate = prove(&patch.contact(contact), patch.proof(proof))?;
+    let upper = if bound.is_infinite() { bound } else { others.max(ends(&certificate).1) };
     let surface = ProvedPatchRecord {
         link: prepared.model.mechanism.link(contact.link).name().to_owned(),
         patches: patches.len(),
@@ -170,12 +200,13 @@ fn proved_record(
     share_above_standard: Option<f64>,
     speed: &impl Fn(Option<f64>) -> Result<(SpeedRecord, Option<SafeSpeed>), ContactLawError>,
 ) -> Result<ProvedSpeedRecord, StudyError> {
-    let Largest { upper, lower, certificate, surface } = largest;
+    let is_sharp = largest.is_sharp();
+    let Largest { upper, certificate, surface, .. } = largest;
     let mass = Some(upper).filter(|upper| upper.is_finite());
     let record = certificate.reason.is_none().then(|| speed(mass).map(|(speed, _)| speed)).transpose()?;
     Ok(ProvedSpeedRecord {
         speed: record,
-        is_sharp: upper <= lower * (1.0 + 1.01 * certificate.tolerance),
+        is_sharp,
         surface,
         segments: segment.map(|(count, _)| count),
         slowest_segment: segment.map(|(_, slowest)| slowest),
@@ -231,17 +262,8 @@ pub(super) fn proved_along(
         })
         .collect();
     let count = rows.len().saturating_sub(1).max(1);
-    if count > MOST_SEGMENTS {
-        let why = format!(
-            "a proof covers at most {MOST_SEGMENTS} rows, given are {}; expected fewer rows",
-            rows.len()
-        );
-        return Err(StudyError::input("safe_speed.input", why));
-    }
-    // All segments together have the boxes of some proofs over ranges.
-    let boxes = (BOXES_OF_ROWS / count as u32).clamp(LEAST_BOXES, DEFAULT_BOXES);
-    let question = ExtremesQuestion { boxes: Some(boxes), ..proof_question(asked) };
     let patches = surface_patches(evaluated, asked)?;
+    let question = proof_question(asked, count, patches.len())?;
     let (mut worst, mut above): (Option<(usize, Largest)>, usize) = (None, 0);
     let mut is_sharp = true;
     for segment in 0..count {
@@ -252,7 +274,7 @@ pub(super) fn proved_along(
         };
         let ranges: Vec<JointRange> = joints.iter().enumerate().map(range).collect();
         let found = prove_largest(evaluated, &ranges, &question, &patches)?;
-        is_sharp &= found.upper <= found.lower * (1.0 + 1.01 * found.certificate.tolerance);
+        is_sharp &= found.is_sharp();
         above += usize::from(found.lower > by_standard);
         if worst.as_ref().is_none_or(|(_, largest)| found.upper > largest.upper) {
             worst = Some((segment, found));
