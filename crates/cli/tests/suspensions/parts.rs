@@ -339,22 +339,7 @@ fn bars_act_in_impacts_in_time() {
     let bar = |preload: &str| {
         format!("{text}\n[torsion_bar]\non = \"lower_arm\"\nrate = \"2500 N·m/rad\"\n{preload}")
     };
-    let impact = |file: &str, more: &[&str]| {
-        let words = [
-            "impact",
-            file,
-            "--at",
-            "bump_stop",
-            "--speed",
-            "1",
-            "--restitution",
-            "0.5",
-            "--stiffness",
-            "3e5",
-            "--in-time",
-        ];
-        report(&folder, &[&words[..], more].concat())["in_time"].clone()
-    };
+    let impact = |file: &str, more: &[&str]| report(&folder, &impact_in_time(file, more))["in_time"].clone();
     folder.write("car.toml", &bar(""));
     let (found, given) =
         (impact("car.toml", &[]), impact("plain.toml", &["--joint-spring", "lower_arm_hinge=2500"]));
@@ -365,24 +350,7 @@ fn bars_act_in_impacts_in_time() {
     let hinge = rows(&folder, &[])[0]["motion_ratio_torsion_bar"].as_f64().expect("a ratio");
     assert!(hinge > 0.0);
     let full = ["--springs", "full"];
-    let words = [
-        &[
-            "impact",
-            "car.toml",
-            "--at",
-            "bump_stop",
-            "--speed",
-            "1",
-            "--restitution",
-            "0.5",
-            "--stiffness",
-            "3e5",
-            "--in-time",
-        ],
-        &full[..],
-    ]
-    .concat();
-    let outcome = run(&folder, &words);
+    let outcome = run(&folder, &impact_in_time("car.toml", &full));
     assert!(outcome.code == 2 && outcome.stderr.contains("torsion_bar"), "{}", outcome.stderr);
     folder.write("car.toml", &bar("preload = \"400 N·m\"\n"));
     let found = impact("car.toml", &full);
@@ -393,6 +361,13 @@ fn bars_act_in_impacts_in_time() {
     let free = format!("lower_arm_hinge=2500,0,{:?}rad", at_touch.signum() * 400.0 / 2500.0);
     let given = impact("plain.toml", &["--joint-spring", &free, "--springs", "full"]);
     assert!((peak(&found) / peak(&given) - 1.0).abs() < 1e-12, "{found} {given}");
+}
+
+/// Words of an impact of the bump stop in time.
+fn impact_in_time<'a>(file: &'a str, more: &[&'a str]) -> Vec<&'a str> {
+    let words =
+        ["--at", "bump_stop", "--speed", "1", "--restitution", "0.5", "--stiffness", "3e5", "--in-time"];
+    [&["impact", file], &words[..], more].concat()
 }
 
 /// The rate of an anti-roll bar: in roll 2 k (dq/ds)² with the hinge angle q of one half over the travel s of its wheel, for one side k (dq/ds)²,
